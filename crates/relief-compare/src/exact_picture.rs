@@ -1,27 +1,28 @@
-//! The exact hits of a picture's pixels, by which each pixel of a method is judged.
+//! The exact picture of a scene: its colours and its hits, by which pictures of methods are judged.
 
-use relief_core::metrics::distance_texels;
-use relief_core::{HeightMap, Lanes, Watch};
+use relief_core::{Lanes, Watch};
 use relief_maps::Maps;
 use relief_render::Renderer;
-use relief_render::false_color::{NO_SURFACE, NOT_COMPARABLE};
-use relief_scene::{Scene, Surface};
+use relief_render::false_color::{Judge, NO_SURFACE, Quantity};
+use relief_scene::{Scene, Shown, Surface};
 use relief_shaders::cpu::PixelOut;
-use relief_shaders::field::Solids;
-use relief_shaders::{DETAIL, Entry, STAGES};
+use relief_shaders::{Choice, Selection};
 
-use crate::contender::shadow;
 use crate::error::CompareError;
-use crate::run::reference::{hit_of, in_tile_of, is_flat, selection, traced_exactly};
+use crate::exact_hits::{ExactHits, check_surface};
+use crate::picture::{Flip, Image, ImageError, PIXELS_PER_DEGREE, flip};
+use crate::run::reference::selection;
+use crate::run::shadow::{exact_shadows, with_samples};
 use crate::run::subject::with_selections;
 
-/// Exact hits at the centres of a picture's pixels, on the finest level of the height map.
+/// The exact picture of a scene: what `relief compare` compares pictures with.
 ///
-/// On a flat mesh they are the hits of the method `exact` on the CPU. On others they are those that
-/// the exact tracer of displaced meshes finds.
+/// It is drawn by the method `exact` on the CPU, with the surface `prism` on curved meshes, and with exact
+/// shadows. It [judges](Judge) pictures of the same scene by other methods, of the same size.
 ///
 /// ```
 /// use relief_compare::ExactPicture;
+/// use relief_compare::picture::Image;
 /// use relief_core::{HeightMap, Lanes, Watch, Wrap, mesh::square};
 /// use relief_maps::Maps;
 /// use relief_render::render;
@@ -32,89 +33,106 @@ use crate::run::subject::with_selections;
 /// let scene = Scene::builder(surface).size(32, 24).build()?;
 /// let mut maps = Maps::in_memory();
 /// let exact = ExactPicture::new(&scene, Lanes::widest(), &mut maps, &Watch::none())?;
-/// let pixels = render(&scene, &mut maps, &Watch::none())?.rendering.pixels;
+/// let own = render(&scene, &mut maps, &Watch::none())?.rendering;
 /// // The scene's method is `exact`.
-/// assert!((0..).zip(&pixels).all(|(at, pixel)| !(exact.error_texels(at, pixel) > 1e-3)));
+/// assert_eq!(exact.flip(&Image::of(&own, &scene)?)?.mean(), 0.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct ExactPicture {
-    map: std::sync::Arc<HeightMap>,
-    /// Texture coordinates of each pixel's hit.
-    hits: Vec<Option<[f64; 2]>>,
+    hits: Option<ExactHits>,
+    image: Image,
 }
 
 impl ExactPicture {
-    /// Bytes of a pixel while the hits are found.
-    pub const BYTES_PER_PIXEL: u64 = 160;
+    /// Bytes of a pixel while the picture is drawn.
+    pub const BYTES_PER_PIXEL: u64 = 320;
 
-    /// Checks that the exact hits of a scene are known.
+    /// Checks that a scene has an exact picture.
     ///
     /// # Errors
     ///
-    /// When the scene has several surfaces, which hide each other, a depth object, a volume or a motif.
+    /// When it has a depth object, a volume or a motif.
     pub fn check(scene: &Scene) -> Result<(), CompareError> {
-        Self::only(scene).map(|_| ())
+        scene.surfaces().iter().try_for_each(check_surface)
     }
 
-    fn only(scene: &Scene) -> Result<&Surface, CompareError> {
-        match scene.surfaces() {
-            [surface] if surface.object().is_some() => {
-                Err(CompareError::NoExactHits("a depth object".to_owned()))
-            }
-            [surface] if surface.solids() != Solids::Heights => {
-                Err(CompareError::NoExactHits(surface.solids().in_words().to_owned()))
-            }
-            [surface] => Ok(surface),
-            surfaces => Err(CompareError::NoExactHits(format!("a scene of {} surfaces", surfaces.len()))),
-        }
-    }
-
-    /// Finds the exact hits of a scene's picture on the CPU. `lanes` is the SIMD width.
+    /// Draws the exact picture of a scene. `lanes` is the SIMD width.
     ///
     /// # Errors
     ///
-    /// As [`check`](Self::check) has them; and when the scene cannot be rendered, or the work is
-    /// cancelled.
+    /// As [`check`](Self::check) has them; and when the scene cannot be rendered, or the work is cancelled.
     pub fn new(scene: &Scene, lanes: Lanes, maps: &mut Maps, watch: &Watch) -> Result<Self, CompareError> {
-        let surface = Self::only(scene)?;
-        let map = surface.height_map().clone();
-        if !is_flat(surface.mesh()) {
-            watch.check()?;
-            let truth = traced_exactly(surface, scene.camera(), scene.size())?;
-            let hits = truth.iter().map(|truth| truth.hit.found.then_some(truth.hit.uv)).collect();
-            return Ok(Self { map, hits });
-        }
-        let mut exact = selection(surface, shadow("none")?)?;
-        let finest = STAGES[DETAIL].first(Entry::is_idle).map_or("", |(_, entry)| entry.name);
-        exact.choose(STAGES[DETAIL].key, finest)?;
-        let scene = with_selections(scene, std::slice::from_ref(surface), &[exact], 1)?;
+        Self::check(scene)?;
+        let shadows = exact_shadows(scene)?;
+        let exact = exact_scene(scene, scene.surfaces(), &shadows, scene.samples())?;
         let mut renderer = Renderer::on_cpu();
         renderer.set_lanes(lanes);
-        let mut hits = Vec::with_capacity(scene.size().map(|side| side as usize).iter().product());
-        let rendered = renderer.render_bands(&scene, maps, true, watch, &mut |band| {
-            let found = |pixel: &PixelOut| (pixel.hit != 0).then(|| hit_of(pixel).uv);
-            hits.extend(band.iter().map(found));
-            Ok(())
-        });
-        rendered.map_err(|error| CompareError::of_picture("exact", error))?;
-        Ok(Self { map, hits })
+        Self::drawn(&exact, scene.surfaces(), &mut renderer, maps, watch)
     }
 
-    /// Returns the distance of a method's hit from the exact one, in texels along the texture.
-    /// `number` is the pixel's, row by row from the top. On repeated maps the distance is to the
-    /// nearest tile.
-    ///
-    /// Returns [`NO_SURFACE`] where both miss, and [`NOT_COMPARABLE`] where one of them misses.
-    pub fn error_texels(&self, number: usize, pixel: &PixelOut) -> f32 {
-        let hit = hit_of(pixel);
-        match (self.hits.get(number).copied().flatten(), hit.found) {
-            (None, false) => NO_SURFACE,
-            (Some(uv), true) => {
-                let truth = relief_core::Hit { uv, ..hit };
-                distance_texels(in_tile_of(hit, &truth, self.map.wrap()).uv, uv, &self.map) as f32
-            }
-            _ => NOT_COMPARABLE,
-        }
+    /// Draws a scene that is [exact](exact_scene) already. `surfaces` are those that are judged.
+    pub(crate) fn drawn(
+        exact: &Scene,
+        surfaces: &[Surface],
+        renderer: &mut Renderer,
+        maps: &mut Maps,
+        watch: &Watch,
+    ) -> Result<Self, CompareError> {
+        watch.check()?;
+        let rendered = renderer.render(exact, maps, watch);
+        let rendering = rendered.map_err(|error| CompareError::of_picture("exact", error))?.rendering;
+        let hits = match surfaces {
+            [surface] => Some(ExactHits::of_picture(exact, surface, &rendering.pixels, watch)?),
+            _ => None,
+        };
+        Ok(Self { hits, image: Image::of(&rendering, exact)? })
     }
+
+    /// Returns the picture.
+    pub fn image(&self) -> &Image {
+        &self.image
+    }
+
+    /// Returns the hits; none with several surfaces, which hide each other.
+    pub fn hits(&self) -> Option<&ExactHits> {
+        self.hits.as_ref()
+    }
+
+    /// Returns the differences of a picture that an eye sees.
+    ///
+    /// # Errors
+    ///
+    /// When it has another size.
+    pub fn flip(&self, picture: &Image) -> Result<Flip, ImageError> {
+        flip(&self.image, picture, PIXELS_PER_DEGREE)
+    }
+}
+
+impl Judge for ExactPicture {
+    fn of_hit(&self, quantity: &Quantity, number: usize, pixel: &PixelOut) -> f32 {
+        self.hits.as_ref().map_or(NO_SURFACE, |hits| hits.of_hit(quantity, number, pixel))
+    }
+
+    fn of_colors(&self, quantity: &Quantity, linear: &[[f32; 3]]) -> Vec<f32> {
+        let compared =
+            Image::new(self.image.size(), linear.to_vec()).and_then(|picture| match quantity.shown {
+                Shown::Flip => self.flip(&picture).map(|flip| flip.differences),
+                _ => self.image.differences(&picture),
+            });
+        compared.unwrap_or_else(|_| vec![NO_SURFACE; linear.len()])
+    }
+}
+
+/// Returns a scene in which every surface is traced exactly, with these shadows.
+pub(crate) fn exact_scene(
+    scene: &Scene,
+    surfaces: &[Surface],
+    shadows: &[Choice],
+    samples: u32,
+) -> Result<Scene, CompareError> {
+    let each = surfaces.iter().zip(shadows);
+    let selections = each.map(|(of, shadow)| selection(of, with_samples(*shadow, samples)));
+    let selections = selections.collect::<Result<Vec<Selection>, _>>()?;
+    with_selections(scene, surfaces, &selections, samples)
 }

@@ -33,6 +33,7 @@ mod comparison;
 mod contender;
 mod csv;
 mod error;
+mod exact_hits;
 mod exact_picture;
 pub mod explain;
 pub mod figure;
@@ -52,6 +53,7 @@ pub use comparison::{Comparison, Machine, MachineBackend, Timing};
 pub use contender::{Contender, shadow};
 pub use csv::csv;
 pub use error::CompareError;
+pub use exact_hits::ExactHits;
 pub use exact_picture::ExactPicture;
 pub use page::page;
 pub use record::{

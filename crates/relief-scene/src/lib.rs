@@ -35,11 +35,11 @@ pub mod shadow_map;
 pub mod tone;
 
 pub use scene::{
-    BackendChoice, BadBase, BaseThickness, ColorPlace, DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, DrawnMaterial,
-    Form, Framing, Key, KeyGroup, KeyNumber, LightDirection, LightDirectionError, LightSpec, Look,
-    MAX_EXPOSURE, MAX_IMAGE_SIDE, MAX_SAMPLES, MapSizeProblem, MaterialSpec, MeshChoice, NO_MAP,
+    BackendChoice, BadBase, BaseThickness, ColorPlace, DEFAULT_DIVIDER, DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES,
+    DrawnMaterial, Form, Framing, Key, KeyGroup, KeyNumber, LightDirection, LightDirectionError, LightSpec,
+    Look, MAX_EXPOSURE, MAX_IMAGE_SIDE, MAX_SAMPLES, MapSizeProblem, MaterialSpec, MeshChoice, NO_MAP,
     ObjectProblem, PictureSize, PictureSizeError, ProjectionChoice, RampChoice, RampError, Sampling, Scene,
-    SceneBuilder, SceneError, SceneObject, SceneReader, SceneSpec, Surface, SurfaceColors, SurfaceSpec,
-    UnknownMesh, UnknownRamp, UvProjection, ValueError, ValueProblem, View, depth_remark, green_remark, keys,
-    parse_scene, parse_values, read_scene,
+    SceneBuilder, SceneError, SceneObject, SceneReader, SceneSpec, Shown, Surface, SurfaceColors,
+    SurfaceSpec, UnknownMesh, UnknownRamp, UvProjection, ValueError, ValueProblem, View, ViewerSpec,
+    depth_remark, green_remark, keys, parse_scene, parse_values, read_scene, viewer_keys,
 };

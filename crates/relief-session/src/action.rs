@@ -46,6 +46,11 @@ pub enum Action {
     Fit,
     /// Shows all from the present direction, however the scene is turned around its middle.
     Frame,
+    /// Brings a point to the middle of the picture: the eye keeps its direction and its distance.
+    LookAt {
+        /// Point in metres.
+        point: [f64; 3],
+    },
     /// Turns the only light, or the look's.
     TurnLight {
         /// Degrees to the right and up, as seen from above and from the side.
@@ -61,7 +66,7 @@ pub enum Action {
 
 impl Action {
     /// The names of all actions, as JSON has them under `do`.
-    pub const NAMES: [&str; 13] = [
+    pub const NAMES: [&str; 14] = [
         "set",
         "lose",
         "add-surface",
@@ -71,6 +76,7 @@ impl Action {
         "zoom",
         "fit",
         "frame",
+        "look-at",
         "turn-light",
         "undo",
         "redo",

@@ -91,6 +91,13 @@ impl Seen {
         Ok([self.eye + way, self.target + way])
     }
 
+    /// Eye and target once a point is in the middle of the picture.
+    pub fn looked_at(&self, point: [f64; 3]) -> Result<[DVec3; 2], Refused> {
+        finite(&point)?;
+        let point = DVec3::from(point);
+        Ok([point + self.eye - self.target, point])
+    }
+
     /// The eye, and the height of a picture with parallel rays, after coming nearer.
     pub fn zoomed(&self, factor: f64) -> Result<(DVec3, f64), Refused> {
         if !(factor > 0.0 && factor.is_finite()) {

@@ -13,7 +13,7 @@ use crate::Refused;
 const SURFACES: &str = "surfaces";
 
 /// Tables of values whose members are keys of their own here.
-const TABLES: [&str; 2] = ["set", "material"];
+const TABLES: [&str; 3] = ["set", "material", "viewer"];
 
 /// The file's path, for messages: paths in the document stay as they are.
 const NAME: &str = "";

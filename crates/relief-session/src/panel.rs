@@ -1,6 +1,6 @@
 //! Controls for every key and every setting, made of the lists of the libraries.
 
-use relief_scene::{Form, Key, KeyGroup, SceneSpec, keys};
+use relief_scene::{Form, Key, KeyGroup, SceneSpec, Shown, keys, viewer_keys};
 use relief_shaders::{METHODS, STAGES, Selection};
 use serde::Serialize;
 
@@ -81,7 +81,9 @@ pub struct Choice {
 
 impl Panel {
     pub(crate) fn of(spec: &SceneSpec) -> Self {
-        let mut keys = keys();
+        let is_table = |key: &Key| key.form == Form::Viewer;
+        let mut keys: Vec<Key> =
+            keys().into_iter().filter(|key| !is_table(key)).chain(viewer_keys()).collect();
         keys.sort_by_key(|key| (key.group as usize, key.rank));
         let (of_surface, of_scene): (Vec<Key>, Vec<Key>) = keys.into_iter().partition(|key| key.of_surface);
         let values = values(spec);
@@ -126,9 +128,12 @@ impl Control {
             }
             Form::Size | Form::Range => (Kind::Numbers(2), &[][..]),
             Form::Direction => (Kind::Numbers(3), &[][..]),
-            Form::Background | Form::Memory | Form::Settings | Form::Material | Form::Lights => {
-                (Kind::Other, &[][..])
-            }
+            Form::Background
+            | Form::Memory
+            | Form::Settings
+            | Form::Material
+            | Form::Lights
+            | Form::Viewer => (Kind::Other, &[][..]),
         };
         let choice = |name: &&str| Choice {
             name: (*name).to_owned(),
@@ -163,7 +168,12 @@ impl Control {
         }
         for choice in &mut self.choices {
             let refused = with(spec, &self.key, &format!("{:?}", choice.name)).err();
-            choice.refused = refused.map(|refused| refused.to_string());
+            // A second view may be of a method that does not go with the scene: it says so where it is shown.
+            let second = || spec.by_method(&choice.name).selections().err().map(|error| error.to_string());
+            choice.refused = match self.key.as_str() {
+                "viewer.second" => second(),
+                _ => refused.map(|refused| refused.to_string()),
+            };
         }
     }
 }
@@ -218,7 +228,12 @@ fn small(number: f32) -> f64 {
 
 /// What a name of a key's list stands for.
 fn about(key: &str, name: &str) -> &'static str {
-    if key == "method" {
+    if key.starts_with("viewer.")
+        && let Ok(shown) = name.parse::<Shown>()
+    {
+        return shown.about();
+    }
+    if ["method", "viewer.second"].contains(&key) {
         return METHODS.iter().find(|method| method.name == name).map_or("", |method| method.summary);
     }
     let stage = STAGES.iter().find(|stage| stage.key == key);
@@ -233,9 +248,9 @@ fn end(bound: std::ops::Bound<f64>) -> Option<f64> {
     }
 }
 
-/// A key in words: `mesh-scale` is `Mesh scale`.
+/// A key in words: `mesh-scale` is `Mesh scale`, and `viewer.show` is `Show`.
 fn words(key: &str) -> String {
-    let text = key.replace('-', " ");
+    let text = key.rsplit('.').next().unwrap_or(key).replace('-', " ");
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

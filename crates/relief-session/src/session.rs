@@ -247,6 +247,11 @@ impl Session {
                     framed => Ok(framed),
                 }
             }
+            Action::LookAt { point } => {
+                let seen = self.seen()?;
+                let [eye, target] = seen.looked_at(*point)?;
+                self.looking(eye, target)
+            }
             Action::TurnLight { degrees } => {
                 let toward = self.light()?.lit_from(*degrees)?;
                 with(spec, "light", &format!("{:?}", toward.to_array())).map(Some)

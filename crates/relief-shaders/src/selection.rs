@@ -8,11 +8,11 @@ mod roles;
 use relief_core::registry::{Guarantees, MAX_PARAMS, Param, UnknownName};
 
 pub use self::error::SelectionError;
-use crate::Method;
 use crate::entry::{Entry, find};
 use crate::stages::{
-    GEOMETRY, OBJECT, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, Stage, stage, stage_of_setting,
+    GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, Stage, stage, stage_of_setting,
 };
+use crate::{METHODS, Method};
 
 /// A stage's variant, and its parameters.
 #[derive(Clone, Copy, Debug)]
@@ -111,6 +111,24 @@ impl Selection {
             selection.set(key, f64::from(value))?;
         }
         Ok(selection)
+    }
+
+    /// Returns the name of the method that it is; of a pair without one, such as `linear+none`, both names.
+    /// Methods that differ in settings alone are told apart by them.
+    pub fn method_name(&self) -> String {
+        let [geometry, search, refine] =
+            [GEOMETRY, SEARCH, REFINE].map(|place| self.choices[place].entry.name);
+        let is_same =
+            |method: &&Method| (method.geometry, method.search, method.refine) == (geometry, search, refine);
+        let has_settings = |method: &&Method| {
+            let mut with = *self;
+            let is_set = method.settings.iter().all(|(key, value)| with.set(key, f64::from(*value)).is_ok());
+            is_set && with.choices.iter().zip(&self.choices).all(|(a, b)| a.params == b.params)
+        };
+        let mut same = METHODS.iter().filter(is_same);
+        let first = same.clone().next();
+        let found = same.find(has_settings).or(first);
+        found.map_or_else(|| format!("{search}+{refine}"), |method| method.name.to_owned())
     }
 
     /// Chooses a variant by its stage's key and its name, as in `choose("search", "linear")`, with

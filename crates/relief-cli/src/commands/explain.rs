@@ -11,7 +11,7 @@ use relief_io::{PngColour, write_png8};
 use relief_scene::{Look, SceneSpec, Surface};
 use relief_shaders::cpu::{Mark, MethodTracer};
 use relief_shaders::field::Solids;
-use relief_shaders::{DETAIL, Entry, GEOMETRY, METHODS, REFINE, SEARCH, STAGES, Selection};
+use relief_shaders::{GEOMETRY, METHODS, REFINE, SEARCH, Selection};
 use serde_json::{Value, json};
 
 use super::inputs::replaced;
@@ -212,13 +212,9 @@ impl Arguments {
 
     /// Returns the scene's description: one frame, and the finest level of the map.
     fn spec(&self) -> Result<SceneSpec, Failure> {
-        let mut spec = self.scene.spec()?;
+        let spec = self.scene.spec()?;
         Numbering::of(self.scene.file()).refuse(&spec, ONE_FRAME)?;
-        let finest = STAGES[DETAIL].first(Entry::is_idle).map_or("", |(_, entry)| entry.name);
-        for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
-            surface.stages.entry(STAGES[DETAIL].key.to_owned()).or_insert_with(|| finest.to_owned());
-        }
-        Ok(spec)
+        Ok(spec.at_finest_level())
     }
 
     /// Returns the only surface: a height map with a method that follows rays.

@@ -13,9 +13,7 @@ use relief_core::registry::UnknownName;
 use relief_io::material_name;
 use relief_render::{RenderError, Renderer};
 use relief_scene::{BackendChoice, Look, Sampling, SceneSpec, SurfaceSpec};
-use relief_shaders::{
-    Choice, DETAIL, Entry, Family, GEOMETRY, REFINE, SEARCH, SHADOW, SLICES, STAGES, Selection,
-};
+use relief_shaders::{Choice, Entry, Family, GEOMETRY, REFINE, SEARCH, SHADOW, SLICES, STAGES, Selection};
 use tempfile::TempDir;
 
 use super::maps::{self, By};
@@ -104,13 +102,12 @@ impl MethodSetArguments {
         let families = self.families(&spec)?;
         let shadows = shadows(&mut spec)?;
         let settings = settings(&mut spec, &[GEOMETRY, SLICES, SEARCH, REFINE]);
-        let finest = STAGES[DETAIL].first(Entry::is_idle).map_or("", |(_, entry)| entry.name);
         for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
             surface.stages.remove(STAGES[GEOMETRY].key);
-            // All methods see the finest level, unless another is asked for.
-            surface.stages.entry(STAGES[DETAIL].key.to_owned()).or_insert_with(|| finest.to_owned());
             surface.method = None;
         }
+        // All methods see the finest level, unless another is asked for.
+        let mut spec = spec.at_finest_level();
         let contenders = self.contenders(&families, &settings, unnamed)?;
         let sample = sample(&mut spec)?;
         Ok(MethodSet { spec, contenders, shadows, machines: self.machines()?, _sample: sample })

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf, absolute};
 use clap::Args;
 use relief_io::write_atomically;
 use relief_scene::background::Background;
-use relief_scene::{Form, Key, KeyNumber, SceneSpec, keys, parse_scene};
+use relief_scene::{Form, Key, KeyNumber, SceneSpec, keys, parse_scene, viewer_keys};
 use relief_shaders::{STAGES, Stage};
 use serde_json::{Map, Value, json};
 
@@ -135,6 +135,14 @@ fn of_key(key: &Key) -> Value {
                 "emission": colour(),
             },
         }),
+        Form::Viewer => {
+            let values = viewer_keys().into_iter().map(|key| {
+                let name = key.name.trim_start_matches("viewer.").to_owned();
+                (name, of_key(&key))
+            });
+            let values: Map<String, Value> = values.collect();
+            json!({ "type": "object", "properties": values, "additionalProperties": false })
+        }
         Form::Lights => json!({
             "type": "array",
             "items": {

@@ -84,6 +84,20 @@ impl Image {
         self.pixels.iter().map(|pixel| pixel.map(byte)).collect()
     }
 
+    /// Returns the difference of each pixel from another picture's: the root mean square of its parts.
+    ///
+    /// # Errors
+    ///
+    /// When the pictures differ in size.
+    pub fn differences(&self, other: &Image) -> Result<Vec<f32>, ImageError> {
+        self.check_size(other)?;
+        let difference = |(a, b): (&[f32; 3], &[f32; 3])| {
+            let squares = [0, 1, 2].map(|part| (a[part] - b[part]).powi(2));
+            (squares.iter().sum::<f32>() / 3.0).sqrt()
+        };
+        Ok(self.pixels.iter().zip(&other.pixels).map(difference).collect())
+    }
+
     /// Checks that both pictures have the same size.
     fn check_size(&self, other: &Image) -> Result<(), ImageError> {
         if self.size == other.size {

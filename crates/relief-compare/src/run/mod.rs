@@ -3,7 +3,7 @@
 mod pictures;
 mod rays;
 pub(crate) mod reference;
-mod shadow;
+pub(crate) mod shadow;
 pub(crate) mod subject;
 mod time_again;
 mod times;

@@ -1,7 +1,6 @@
 //! Comparison of methods in pictures.
 
 use relief_core::camera::Camera;
-use relief_core::exact::ExactHit;
 use relief_core::metrics::CostReport;
 use relief_core::{Hit, MapFormat, Watch};
 use relief_maps::Maps;
@@ -9,18 +8,18 @@ use relief_render::{RenderError, Rendered, Renderer};
 use relief_scene::{Scene, Surface};
 use relief_shaders::{Choice, SHADOW, SHADOW_SEARCH, Selection};
 
-use super::reference::{hit_of, in_tile_of, is_flat, selection, traced_exactly, truth};
-use super::shadow::{has_disc, true_shadow, with_samples};
+use super::reference::hit_of;
+use super::shadow::{has_disc, true_shadow};
 use super::subject::{Subject, with_selections};
 use super::{Compared, MachineRenderer, MapsOf, MethodPicture, Reference, Renderers, Work};
-use crate::case::judged;
 use crate::comparison::{Comparison, Machine, MachineBackend};
 use crate::contender::Contender;
 use crate::error::CompareError;
+use crate::exact_picture::{ExactPicture, exact_scene};
 use crate::picture::{
     Image, PIXELS_PER_DEGREE, flip, peak_signal_to_noise, root_mean_square, structural_similarity,
 };
-use crate::record::{ErrorRecord, LeftOut, MachineRecord, MethodRecord, PictureRecord};
+use crate::record::{LeftOut, MachineRecord, MethodRecord, PictureRecord};
 
 /// Distance by which the camera moves to the right for the second frame, in pixels at its target.
 const STEP_PIXELS: f64 = 0.1;
@@ -42,9 +41,7 @@ struct Truth {
     shadows: Vec<Choice>,
     /// Index among all references.
     reference: usize,
-    image: Image,
-    /// Hits of the pixels' centres; none with several surfaces.
-    hits: Option<Vec<ExactHit>>,
+    exact: ExactPicture,
     /// Difference between two frames with many samples.
     still: Option<Change>,
 }
@@ -155,21 +152,9 @@ impl Comparison {
         let Shot { subject, scene, distance_m, .. } = shot;
         let Work { baked, compared, watch, .. } = work;
         let maps = baked.maps(MapFormat::F32);
-        let exact = |samples: u32| {
-            let each = subject.surfaces.iter().zip(&shadows);
-            let selections = each.map(|(of, shadow)| selection(of, with_samples(*shadow, samples)));
-            let selections = selections.collect::<Result<Vec<Selection>, _>>()?;
-            with_selections(scene, &subject.surfaces, &selections, samples)
-        };
-        let rendered = rendered(&exact(scene.samples())?, renderer, maps, EXACT, watch)?;
-        let hits = match subject.only() {
-            Some(surface) if is_flat(surface.mesh()) => {
-                Some(rendered.rendering.pixels.iter().map(|pixel| truth(hit_of(pixel))).collect())
-            }
-            Some(surface) => Some(traced_exactly(surface, scene.camera(), scene.size())?),
-            None => None,
-        };
-        let image = Image::of(&rendered.rendering, scene)?;
+        let exact = |samples: u32| exact_scene(scene, &subject.surfaces, &shadows, samples);
+        let picture =
+            ExactPicture::drawn(&exact(scene.samples())?, &subject.surfaces, renderer, maps, &watch.quiet())?;
         let still = match self.flicker_samples {
             Some(samples) => {
                 let scene = exact(samples)?;
@@ -181,7 +166,7 @@ impl Comparison {
         };
         let shown = self.shown(
             &exact(scene.samples())?,
-            &image,
+            picture.image(),
             renderer,
             (baked.maps(MapFormat::F32), EXACT),
             watch,
@@ -194,7 +179,7 @@ impl Comparison {
             distance_m: *distance_m,
             image: shown,
         });
-        Ok(Truth { shadows, reference, image, hits, still })
+        Ok(Truth { shadows, reference, exact: picture, still })
     }
 
     /// Adds a method's picture. Returns false if the method cannot render such surfaces on this
@@ -244,24 +229,20 @@ impl Comparison {
             }
             None => None,
         };
-        let pixels = rendered.rendering.pixels.iter().map(hit_of);
-        let (hits, error): (Vec<Hit>, _) = match shot.subject.only().zip(truth.hits.as_ref()) {
-            Some((surface, truth)) => {
-                let map = surface.height_map();
-                let each = pixels.zip(truth);
-                let hits: Vec<Hit> =
-                    each.map(|(hit, truth)| in_tile_of(hit, &truth.hit, map.wrap())).collect();
-                let error: ErrorRecord = (&judged(truth, &hits, map)).into();
+        let pixels = &rendered.rendering.pixels;
+        let (hits, error) = match truth.exact.hits() {
+            Some(exact) => {
+                let (hits, error) = exact.judged(pixels);
                 (hits, Some(error))
             }
-            None => (pixels.collect(), None),
+            None => (pixels.iter().map(hit_of).collect(), None),
         };
         let size = scene.size();
         let is_searched = contender.is_of_rays() && (is_of_gpu || !contender.selection.is_exact());
-        let is_true = |pixel: usize| truth.hits.as_ref().is_some_and(|hits| hits[pixel].hit.found);
+        let is_true = |pixel: usize| truth.exact.hits().is_some_and(|hits| hits.hit(pixel).is_some());
         let on_surface = hits.iter().enumerate().filter(|(pixel, hit)| hit.found || is_true(*pixel));
         let on_surface: Vec<Hit> = on_surface.map(|(_, hit)| *hit).collect();
-        let difference = flip(&truth.image, &image, PIXELS_PER_DEGREE)?;
+        let (exact, difference) = (truth.exact.image(), truth.exact.flip(&image)?);
         compared.records.pictures.push(PictureRecord {
             method: MethodRecord::of(contender, shot.subject, &maps_of),
             backend: machine.name().to_owned(),
@@ -270,9 +251,9 @@ impl Comparison {
             samples: scene.samples(),
             distance_m: shot.distance_m,
             flip: difference.mean(),
-            ssim: structural_similarity(&truth.image, &image)?,
-            psnr_db: peak_signal_to_noise(&truth.image, &image)?,
-            rms: root_mean_square(&truth.image, &image)?,
+            ssim: structural_similarity(exact, &image)?,
+            psnr_db: peak_signal_to_noise(exact, &image)?,
+            rms: root_mean_square(exact, &image)?,
             flicker_rms: change.map(|change| change.rms),
             flicker_flip: change.map(|change| change.flip),
             error,

@@ -4,10 +4,10 @@ use rayon::prelude::*;
 use relief_core::camera::Camera;
 use relief_core::exact::{DisplacedMesh, ExactHit, Sides};
 use relief_core::mesh::Mesh;
-use relief_core::{Cost, Hit, Wrap};
+use relief_core::{Cost, Hit, Watch, Wrap};
 use relief_scene::Surface;
 use relief_shaders::cpu::PixelOut;
-use relief_shaders::{Choice, STAGES, SURFACE, Selection, SelectionError};
+use relief_shaders::{Choice, Entry, GEOMETRY, STAGES, SURFACE, Selection, SelectionError};
 
 use crate::contender::Contender;
 use crate::error::CompareError;
@@ -41,9 +41,14 @@ pub fn words(surfaces: &[Surface]) -> &'static str {
 }
 
 /// Returns the selection for a surface's reference: the exact method with the given shadow, and
-/// shells on curved meshes.
+/// shells on curved meshes. Displaced triangles give way to rays from the mesh.
 pub fn selection(surface: &Surface, shadow: Choice) -> Result<Selection, SelectionError> {
     let mut selection = *surface.selection();
+    if selection.geometry().is_some() {
+        let [geometry, base] = [GEOMETRY, SURFACE].map(|place| &STAGES[place]);
+        selection.choose(geometry.key, geometry.first(Entry::is_idle).map_or("", |(_, entry)| entry.name))?;
+        selection.choose(base.key, base.entries[0].name)?;
+    }
     if !is_flat(surface.mesh()) {
         selection.choose(STAGES[SURFACE].key, "prism")?;
     }
@@ -72,16 +77,21 @@ pub fn truth(hit: Hit) -> ExactHit {
     ExactHit { hit, ..ExactHit::miss(Cost::default(), 0.0) }
 }
 
+/// Rows that are traced between two looks whether the work is cancelled.
+const ROWS: u32 = 16;
+
 /// Traces the centre of every pixel with the exact tracer of displaced meshes.
 pub fn traced_exactly(
     surface: &Surface,
     camera: &Camera,
     [columns, rows]: [u32; 2],
+    watch: &Watch,
 ) -> Result<Vec<ExactHit>, CompareError> {
+    watch.check()?;
     let map = surface.height_map();
     let judge = DisplacedMesh::new(surface.mesh(), map, map.scale_m(), map.bias_m())?;
     let sides = if surface.two_sided() { Sides::Both } else { Sides::Front };
-    let seen = (0..columns * rows).into_par_iter().map(|pixel| {
+    let traced = |pixel: u32| {
         let ray = camera.ray(pixel % columns, pixel / columns, columns, rows);
         let first = judge.first_hit(ray.origin.to_array(), ray.direction.to_array(), sides);
         truth(first.map_or(Hit::miss(Cost::default()), |first| Hit {
@@ -92,8 +102,14 @@ pub fn traced_exactly(
             t: first.t,
             cost: Cost::default(),
         }))
-    });
-    Ok(seen.collect())
+    };
+    let mut seen = Vec::with_capacity(columns as usize * rows as usize);
+    for first in (0..rows).step_by(ROWS as usize) {
+        watch.check()?;
+        let last = (first + ROWS).min(rows);
+        seen.par_extend((first * columns..last * columns).into_par_iter().map(traced));
+    }
+    Ok(seen)
 }
 
 /// Moves a hit to the tile nearest to the true one: on a repeated map, charts may meet whole tiles

@@ -1,8 +1,8 @@
 //! Choice of the shadow of reference pictures.
 
 use relief_core::registry::Param;
-use relief_scene::Scene;
 use relief_scene::light::Light;
+use relief_scene::{Scene, Surface};
 use relief_shaders::shadow::ShadowRole;
 use relief_shaders::{Choice, Entry, SHADOW, STAGES, SelectionError};
 
@@ -39,6 +39,13 @@ pub fn true_shadow(of: &Choice, has_disc: bool) -> Result<Choice, SelectionError
         _ => |entry| matches!(entry.shadow(), Some(ShadowRole::ToLights { rays: None })),
     };
     shadow(STAGES[SHADOW].first(is_truth).map_or(of.entry.name, |(_, entry)| entry.name))
+}
+
+/// Returns the exact shadow of each surface of a scene.
+pub fn exact_shadows(scene: &Scene) -> Result<Vec<Choice>, SelectionError> {
+    let has_disc = has_disc(scene);
+    let of = |surface: &Surface| true_shadow(&surface.selection().choices[SHADOW], has_disc);
+    scene.surfaces().iter().map(of).collect()
 }
 
 /// Adapts the number of rays to the number of samples per pixel.

@@ -10,6 +10,12 @@ const INK: [u8; 3] = [26; 3];
 const HATCH: [[u8; 3]; 2] = [[244; 3], [214; 3]];
 const HATCH_PERIOD: u32 = 8;
 
+/// Returns the colour of a pixel without a surface, a part of a pattern.
+pub fn hatched([x, y]: [u32; 2]) -> [u8; 3] {
+    let is_line = (x + y) % HATCH_PERIOD < HATCH_PERIOD / 4;
+    HATCH[usize::from(is_line)]
+}
+
 /// Size of text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TextSize {
@@ -78,8 +84,7 @@ impl Canvas {
 
     /// Marks a pixel as one without a surface, by its part of a pattern.
     pub(super) fn hatch(&mut self, at: [u32; 2]) {
-        let is_line = (at[0] + at[1]) % HATCH_PERIOD < HATCH_PERIOD / 4;
-        self.set(at, HATCH[usize::from(is_line)]);
+        self.set(at, hatched(at));
     }
 
     /// Draws the outline of a rectangle around its pixels.

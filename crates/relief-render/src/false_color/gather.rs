@@ -3,14 +3,22 @@
 use relief_scene::Scene;
 use relief_shaders::cpu::PixelOut;
 
+use super::legend::{NOT_COMPARABLE_COLOR, PALETTE};
 use super::quantity::{Quantity, ValueOf};
-use super::scale::NO_SURFACE;
+use super::scale::{NO_SURFACE, NOT_COMPARABLE, Scale};
 use crate::Wire;
 use crate::picture::{Display, srgb};
 
-/// Function that compares a pixel with the exact hit: it gets the pixel's number, row by row from
-/// the top, and returns a distance, [`NO_SURFACE`] or [`NOT_COMPARABLE`](super::NOT_COMPARABLE).
-pub type PixelError<'a> = dyn Fn(usize, &PixelOut) -> f32 + Sync + 'a;
+/// Compares a picture with the exact one. `relief-compare` has one.
+pub trait Judge: Sync {
+    /// Returns the value of a [quantity of hits](ValueOf::OfHit) at a pixel, or [`NO_SURFACE`] or
+    /// [`NOT_COMPARABLE`]. `number` is the pixel's, row by row from the top.
+    fn of_hit(&self, quantity: &Quantity, number: usize, pixel: &PixelOut) -> f32;
+
+    /// Returns the values of a [quantity of colours](ValueOf::OfColors) at all pixels, from the picture's linear
+    /// colours.
+    fn of_colors(&self, quantity: &Quantity, linear: &[[f32; 3]]) -> Vec<f32>;
+}
 
 /// What a picture of a sheet shows: one value a pixel, row by row from the top.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,6 +48,23 @@ impl Content {
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
+
+    /// Returns the colour of a pixel, with the numbers' scale; none where no surface is visible.
+    ///
+    /// # Panics
+    ///
+    /// When there is no such pixel.
+    pub fn color(&self, pixel: usize, scale: &Scale) -> Option<[u8; 3]> {
+        match self {
+            Content::Picture(colors) => Some(colors[pixel]),
+            Content::Directions(colors) => colors[pixel],
+            Content::Numbers(numbers) => match numbers[pixel] {
+                number if number.is_nan() => None,
+                NOT_COMPARABLE => Some(NOT_COMPARABLE_COLOR),
+                number => Some(PALETTE.at(scale.place(number))),
+            },
+        }
+    }
 }
 
 /// Values of quantities, collected from the bands of a rendering.
@@ -47,7 +72,9 @@ pub struct Gathered<'a> {
     scene: &'a Scene,
     display: Display,
     wire: Option<Wire>,
-    errors: Option<&'a PixelError<'a>>,
+    judge: Option<&'a dyn Judge>,
+    /// Linear colours, if they are to be compared.
+    linear: Option<Vec<[f32; 3]>>,
     /// What is collected, with the values so far. None: the picture itself.
     all: Vec<(Option<&'static Quantity>, Content)>,
     done: usize,
@@ -59,16 +86,18 @@ impl<'a> Gathered<'a> {
         let content = |of: Option<&Quantity>| match of.map(|of| of.value) {
             None => Content::Picture(Vec::new()),
             Some(ValueOf::Direction(_)) => Content::Directions(Vec::new()),
-            Some(ValueOf::Number(_) | ValueOf::Comparison) => Content::Numbers(Vec::new()),
+            Some(ValueOf::Number(_) | ValueOf::OfHit | ValueOf::OfColors) => Content::Numbers(Vec::new()),
         };
+        let is_of_colors = |of: &Quantity| matches!(of.value, ValueOf::OfColors);
+        let linear = shown.iter().flatten().copied().any(is_of_colors).then(Vec::new);
         let all = shown.iter().map(|&of| (of, content(of))).collect();
-        Self { scene, display: Display::of(scene), wire: None, errors: None, all, done: 0 }
+        Self { scene, display: Display::of(scene), wire: None, judge: None, linear, all, done: 0 }
     }
 
-    /// Compares pixels by `errors`. Without this, comparisons have no values.
+    /// Compares the picture by `judge`. Without this, comparisons have no values.
     #[must_use]
-    pub fn with_errors(self, errors: &'a PixelError<'a>) -> Self {
-        Self { errors: Some(errors), ..self }
+    pub fn with_judge(self, judge: &'a dyn Judge) -> Self {
+        Self { judge: Some(judge), ..self }
     }
 
     /// Draws the base meshes' edges over the picture.
@@ -87,8 +116,11 @@ impl<'a> Gathered<'a> {
     }
 
     fn add_row(&mut self, pixels: &[PixelOut]) {
-        let Self { scene, display, wire, errors, all, done } = self;
+        let Self { scene, display, wire, judge, linear, all, done } = self;
         let row = (*done / scene.size()[0].max(1) as usize) as u32;
+        if let Some(linear) = linear {
+            linear.extend(display.linear_row(row, pixels));
+        }
         for (quantity, content) in all {
             match (quantity.map(|of| of.value), content) {
                 (None, Content::Picture(colors)) => {
@@ -105,9 +137,10 @@ impl<'a> Gathered<'a> {
                         |pixel: &PixelOut| if pixel.hit == 0 { NO_SURFACE } else { of(pixel, scene) };
                     numbers.extend(pixels.iter().map(number));
                 }
-                (Some(ValueOf::Comparison), Content::Numbers(numbers)) => {
-                    let of = |(at, pixel): (usize, &PixelOut)| {
-                        errors.map_or(NO_SURFACE, |errors| errors(*done + at, pixel))
+                (Some(ValueOf::OfHit), Content::Numbers(numbers)) => {
+                    let of = |(at, pixel): (usize, &PixelOut)| match (&judge, &quantity) {
+                        (Some(judge), Some(quantity)) => judge.of_hit(quantity, *done + at, pixel),
+                        _ => NO_SURFACE,
                     };
                     numbers.extend(pixels.iter().enumerate().map(of));
                 }
@@ -115,7 +148,7 @@ impl<'a> Gathered<'a> {
                     let byte = |part: f32| ((part * 0.5 + 0.5).clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
                     colors.extend(pixels.iter().map(|pixel| (pixel.hit != 0).then(|| of(pixel).map(byte))));
                 }
-                // `new` made the contents of these forms.
+                // `new` made the contents of these forms, and colours are compared at the end.
                 _ => {}
             }
         }
@@ -124,6 +157,16 @@ impl<'a> Gathered<'a> {
 
     /// Returns what was collected, in the order in which it was asked for.
     pub fn finish(self) -> Vec<Content> {
-        self.all.into_iter().map(|(_, content)| content).collect()
+        let Self { judge, linear, all, done, .. } = self;
+        let finished = |(quantity, content): (Option<&Quantity>, Content)| match quantity {
+            Some(quantity) if matches!(quantity.value, ValueOf::OfColors) => {
+                let linear = linear.as_deref().unwrap_or_default();
+                Content::Numbers(
+                    judge.map_or(vec![NO_SURFACE; done], |judge| judge.of_colors(quantity, linear)),
+                )
+            }
+            _ => content,
+        };
+        all.into_iter().map(finished).collect()
     }
 }

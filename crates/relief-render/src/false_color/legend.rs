@@ -5,6 +5,7 @@ use super::canvas::{Canvas, TextSize};
 use super::palette::Palette;
 use super::quantity::{Form, Quantity, ValueOf};
 use super::scale::Scale;
+use relief_scene::Shown;
 
 /// Texts of the marks.
 const NO_SURFACE_TEXT: &str = "no surface";
@@ -45,8 +46,10 @@ impl Legend<'_> {
     /// Marks that the quantity may need.
     fn marks(&self) -> &'static [&'static str] {
         match self.quantity.value {
-            ValueOf::Comparison => &[NO_SURFACE_TEXT, NOT_COMPARABLE_TEXT],
-            ValueOf::Number(_) | ValueOf::Direction(_) => &[NO_SURFACE_TEXT],
+            _ if self.quantity.shown == Shown::Error => &[NO_SURFACE_TEXT, NOT_COMPARABLE_TEXT],
+            // Every pixel has a colour.
+            ValueOf::OfColors => &[],
+            ValueOf::Number(_) | ValueOf::Direction(_) | ValueOf::OfHit => &[NO_SURFACE_TEXT],
         }
     }
 

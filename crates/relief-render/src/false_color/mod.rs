@@ -36,9 +36,10 @@ mod quantity;
 mod scale;
 mod sheet;
 
-pub use canvas::Canvas;
-pub use gather::{Content, Gathered, PixelError};
+pub use canvas::{Canvas, hatched};
+pub use gather::{Content, Gathered, Judge};
+pub use legend::PALETTE;
 pub use palette::Palette;
-pub use quantity::{Form, NotOfObjects, QUANTITIES, Quantity, ValueOf, quantity};
+pub use quantity::{Form, NotOfObjects, QUANTITIES, Quantity, ValueOf, quantity, quantity_of};
 pub use scale::{NO_SURFACE, NOT_COMPARABLE, Scale, Tick};
 pub use sheet::{Group, Sheet, SheetError};

@@ -1,12 +1,14 @@
 //! The list of quantities that can be shown.
 
 use relief_core::registry::UnknownName;
-use relief_scene::Scene;
+use relief_scene::{Scene, Shown};
 use relief_shaders::cpu::PixelOut;
 
 /// Quantity of a picture's pixels.
 #[derive(Clone, Copy, Debug)]
 pub struct Quantity {
+    /// What it is of a picture.
+    pub shown: Shown,
     /// Name on the command line, such as `height`.
     pub name: &'static str,
     /// Title of the legend, with the unit.
@@ -61,16 +63,25 @@ pub enum ValueOf {
     Number(fn(&PixelOut, &Scene) -> f32),
     /// A direction of the pixel, of length 1.
     Direction(fn(&PixelOut) -> [f32; 3]),
-    /// A comparison of the pixel with the exact hit, which the caller makes. `relief-compare` has
-    /// one.
-    Comparison,
+    /// A comparison of the pixel's hit with the exact one, by a [`Judge`](super::Judge).
+    OfHit,
+    /// A comparison of the picture's colours with the exact ones, by a [`Judge`](super::Judge).
+    OfColors,
+}
+
+impl ValueOf {
+    /// Whether it compares a picture with the exact one.
+    pub fn is_comparison(self) -> bool {
+        matches!(self, ValueOf::OfHit | ValueOf::OfColors)
+    }
 }
 
 /// All quantities. Where the CPU renders `exact`, reads and steps count nodes and cells of the exact
 /// tracer.
-pub static QUANTITIES: [Quantity; 8] = [
+pub static QUANTITIES: [Quantity; 11] = [
     Quantity {
-        name: "height",
+        shown: Shown::Height,
+        name: Shown::Height.name(),
         title: "height over the base, m",
         unit: "m",
         form: Form::Linear,
@@ -78,7 +89,8 @@ pub static QUANTITIES: [Quantity; 8] = [
         is_of_reliefs: true,
     },
     Quantity {
-        name: "depth",
+        shown: Shown::Depth,
+        name: Shown::Depth.name(),
         title: "depth along the view, m",
         unit: "m",
         form: Form::Linear,
@@ -86,7 +98,8 @@ pub static QUANTITIES: [Quantity; 8] = [
         is_of_reliefs: false,
     },
     Quantity {
-        name: "normal",
+        shown: Shown::Normal,
+        name: Shown::Normal.name(),
         title: "normal in the world",
         unit: "",
         form: Form::Directions,
@@ -94,7 +107,8 @@ pub static QUANTITIES: [Quantity; 8] = [
         is_of_reliefs: false,
     },
     Quantity {
-        name: "reads",
+        shown: Shown::Reads,
+        name: Shown::Reads.name(),
         title: "reads of maps, or tracer nodes",
         unit: "reads",
         form: Form::Counts,
@@ -102,7 +116,8 @@ pub static QUANTITIES: [Quantity; 8] = [
         is_of_reliefs: false,
     },
     Quantity {
-        name: "steps",
+        shown: Shown::Steps,
+        name: Shown::Steps.name(),
         title: "steps of the search, or tracer cells",
         unit: "steps",
         form: Form::Counts,
@@ -110,15 +125,44 @@ pub static QUANTITIES: [Quantity; 8] = [
         is_of_reliefs: false,
     },
     Quantity {
-        name: "error",
+        shown: Shown::Error,
+        name: Shown::Error.name(),
         title: "distance from the exact hit, texels",
         unit: "texels",
         form: Form::Logarithmic(LEAST_ERROR),
-        value: ValueOf::Comparison,
+        value: ValueOf::OfHit,
         is_of_reliefs: false,
     },
     Quantity {
-        name: "lit",
+        shown: Shown::Passed,
+        name: Shown::Passed.name(),
+        title: "passed the exact hit: 1 if so",
+        unit: "rays",
+        form: Form::Counts,
+        value: ValueOf::OfHit,
+        is_of_reliefs: false,
+    },
+    Quantity {
+        shown: Shown::ColorError,
+        name: Shown::ColorError.name(),
+        title: "difference of linear colour",
+        unit: "of 1",
+        form: Form::Linear,
+        value: ValueOf::OfColors,
+        is_of_reliefs: false,
+    },
+    Quantity {
+        shown: Shown::Flip,
+        name: Shown::Flip.name(),
+        title: "FLIP difference, 0 is equal",
+        unit: "of 1",
+        form: Form::Linear,
+        value: ValueOf::OfColors,
+        is_of_reliefs: false,
+    },
+    Quantity {
+        shown: Shown::Lit,
+        name: Shown::Lit.name(),
         title: "arriving share of the first light",
         unit: "share",
         form: Form::Linear,
@@ -126,7 +170,8 @@ pub static QUANTITIES: [Quantity; 8] = [
         is_of_reliefs: false,
     },
     Quantity {
-        name: "level",
+        shown: Shown::Level,
+        name: Shown::Level.name(),
         title: "level of detail, 0 is the finest",
         unit: "levels",
         form: Form::Counts,
@@ -147,6 +192,11 @@ fn height_m(pixel: &PixelOut, scene: &Scene) -> f32 {
     })
 }
 
+/// Returns what shows a quantity of pictures; none for the picture itself.
+pub fn quantity_of(shown: Shown) -> Option<&'static Quantity> {
+    QUANTITIES.iter().find(|quantity| quantity.shown == shown)
+}
+
 /// Returns the quantity of that name.
 ///
 /// # Errors
@@ -156,4 +206,17 @@ pub fn quantity(name: &str) -> Result<&'static Quantity, UnknownName> {
     let known = || QUANTITIES.iter().map(|quantity| quantity.name);
     let found = QUANTITIES.iter().find(|quantity| quantity.name == name);
     found.ok_or_else(|| UnknownName::new("quantity", name, known()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn everything_that_can_be_shown_is_a_quantity_but_the_picture() {
+        let without: Vec<Shown> =
+            Shown::ALL.into_iter().filter(|shown| quantity_of(*shown).is_none()).collect();
+        assert_eq!(without, [Shown::Picture]);
+        assert_eq!(QUANTITIES.len() + 1, Shown::ALL.len());
+    }
 }

@@ -4,9 +4,9 @@ use relief_scene::MAX_IMAGE_SIDE;
 
 use super::canvas::{Canvas, TextSize};
 use super::gather::Content;
-use super::legend::{Legend, NOT_COMPARABLE_COLOR, PALETTE};
+use super::legend::Legend;
 use super::quantity::{Form, Quantity};
-use super::scale::{NOT_COMPARABLE, Scale};
+use super::scale::Scale;
 
 /// Longer side of a picture from which text is large.
 const LARGE: u32 = 800;
@@ -170,16 +170,7 @@ impl Sheet {
         let width = self.picture[0].max(1);
         for pixel in 0..content.len() {
             let at = [left + pixel as u32 % width, top + pixel as u32 / width];
-            let color = match content {
-                Content::Picture(colors) => Some(colors[pixel]),
-                Content::Directions(colors) => colors[pixel],
-                Content::Numbers(numbers) => match numbers[pixel] {
-                    number if number.is_nan() => None,
-                    NOT_COMPARABLE => Some(NOT_COMPARABLE_COLOR),
-                    number => Some(PALETTE.at(scale.place(number))),
-                },
-            };
-            match color {
+            match content.color(pixel, scale) {
                 Some(color) => canvas.set(at, color),
                 None => canvas.hatch(at),
             }
@@ -240,7 +231,7 @@ fn in_row(count: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::false_color::{NO_SURFACE, QUANTITIES, quantity};
+    use crate::false_color::{NO_SURFACE, NOT_COMPARABLE, PALETTE, QUANTITIES, quantity};
 
     /// Colour of a canvas' pixel.
     fn at(canvas: &Canvas, [x, y]: [u32; 2]) -> [u8; 3] {

@@ -2,6 +2,8 @@
 
 use relief_shaders::STAGES;
 
+use super::viewer::VIEWER;
+
 /// A group of keys.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum KeyGroup {
@@ -21,11 +23,13 @@ pub enum KeyGroup {
     Light,
     /// Size, samples and tone of the picture, and the machine that draws it.
     Picture,
+    /// What a viewer shows.
+    Views,
 }
 
 impl KeyGroup {
     /// All groups, in the order in which an editor shows them.
-    pub const ALL: [KeyGroup; 8] = [
+    pub const ALL: [KeyGroup; 9] = [
         Self::Relief,
         Self::Method,
         Self::Mesh,
@@ -34,6 +38,7 @@ impl KeyGroup {
         Self::Camera,
         Self::Light,
         Self::Picture,
+        Self::Views,
     ];
 
     /// Returns the name, as a title.
@@ -47,12 +52,13 @@ impl KeyGroup {
             Self::Camera => "Camera",
             Self::Light => "Light",
             Self::Picture => "Picture",
+            Self::Views => "Views",
         }
     }
 }
 
 /// The keys of each group, what is changed most first. [`KeyGroup::Method`] has the stages', too.
-const GROUPS: [(KeyGroup, &[&str]); 8] = [
+const GROUPS: [(KeyGroup, &[&str]); 9] = [
     (
         KeyGroup::Relief,
         &[
@@ -116,6 +122,7 @@ const GROUPS: [(KeyGroup, &[&str]); 8] = [
         &["look", "light", "lights", "light-angle", "ambient-color", "environment", "background"],
     ),
     (KeyGroup::Picture, &["size", "samples", "exposure", "tone", "backend", "sampling", "max-memory"]),
+    (KeyGroup::Views, &[VIEWER]),
 ];
 
 /// Returns a key's place in its group; stages stand at the end of theirs.

@@ -9,6 +9,7 @@ use relief_io::{BuiltinRamp, HeightRange, Up};
 
 use super::key_groups::{KeyGroup, group_of, rank_of};
 use super::key_numbers::{KeyNumber, number_of};
+use super::viewer::VIEWER;
 use super::{
     BackendChoice, Look, PictureSize, ProjectionChoice, Sampling, SceneSpec, SurfaceSpec, UvProjection, View,
 };
@@ -64,6 +65,8 @@ pub enum Form {
     /// A list of tables. Each has `direction` and `angle`, or `position` and `radius`, and also
     /// `color` and `intensity`.
     Lights,
+    /// A table of [what a viewer shows](super::viewer_keys).
+    Viewer,
 }
 
 /// Key of a scene file.
@@ -385,6 +388,12 @@ pub fn keys() -> Vec<Key> {
         scene("backend", Form::Name(backends), "\"auto\"", "backend that computes the picture"),
         scene("sampling", Form::Name(samplings), "\"exact\"", "sampling of textures"),
         scene("max-memory", Form::Memory, "\"4GiB\"", "memory limit for maps and picture"),
+        scene(
+            VIEWER,
+            Form::Viewer,
+            "",
+            "what `relief view` shows, as in viewer.show = \"error\"; pictures do not depend on it",
+        ),
     ]);
     keys
 }
@@ -560,6 +569,11 @@ fn scene_value(spec: &SceneSpec, key: &str) -> Option<String> {
         "backend" => spec.backend.map(|backend| quoted(backend.name())),
         "sampling" => spec.sampling.map(|sampling| quoted(sampling.name())),
         "max-memory" => spec.max_memory.map(|limit| limit.0.to_string()),
+        VIEWER => {
+            let values = spec.viewer.values();
+            let parts: Vec<String> = values.iter().map(|(key, value)| format!("{key} = {value}")).collect();
+            (!parts.is_empty()).then(|| format!("{{ {} }}", parts.join(", ")))
+        }
         _ => None,
     }
 }

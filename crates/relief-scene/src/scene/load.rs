@@ -49,6 +49,7 @@ impl SceneSpec {
     /// When a value is out of range, or when keys exclude or need each other.
     pub fn check(&self) -> Result<(), ValueError> {
         self.check_look()?;
+        self.viewer.check()?;
         // Maps of one texel, a sky and squares stand in for the files, so that the builder's own
         // checks run, too, in little memory.
         let mut surfaces = Vec::new();

@@ -1,12 +1,12 @@
 //! Descriptions of scenes, as in scene files. Missing values have defaults.
 
 use super::keys::{amount, background, length, lengths, light_direction, numbers, parsed, picture_size};
-use super::{BackendChoice, Look, PictureSize, ProjectionChoice, Sampling, SurfaceSpec, View};
+use super::{BackendChoice, Look, PictureSize, ProjectionChoice, Sampling, SurfaceSpec, View, ViewerSpec};
 use crate::background::Background;
 use crate::depth_buffer::Clip;
 use crate::tone::Tone;
 use relief_core::ByteSize;
-use relief_shaders::{AMBIENT, STAGES};
+use relief_shaders::{AMBIENT, DETAIL, Entry, STAGES};
 use serde::Deserialize;
 use std::path::PathBuf;
 
@@ -112,6 +112,8 @@ pub struct SceneSpec {
     /// Memory limit for maps and picture. Default: 4 GiB.
     #[serde(deserialize_with = "amount")]
     pub max_memory: Option<ByteSize>,
+    /// What a viewer shows of the scene. Pictures do not depend on it.
+    pub viewer: ViewerSpec,
 }
 
 /// Description of a light, with exactly one of `direction` and `position`.
@@ -244,7 +246,19 @@ impl SceneSpec {
             backend: over.backend.or(self.backend),
             sampling: over.sampling.or(self.sampling),
             max_memory: over.max_memory.or(self.max_memory),
+            viewer: self.viewer.overridden_by(over.viewer),
         }
+    }
+
+    /// Returns this description with the finest level of the maps on every surface, unless it names a level of
+    /// detail: where hits are compared with the exact ones.
+    #[must_use]
+    pub fn at_finest_level(mut self) -> Self {
+        let finest = STAGES[DETAIL].first(Entry::is_idle).map_or("", |(_, entry)| entry.name);
+        for surface in self.surfaces.iter_mut().chain([&mut self.surface]) {
+            surface.stages.entry(STAGES[DETAIL].key.to_owned()).or_insert_with(|| finest.to_owned());
+        }
+        self
     }
 
     /// Returns all surfaces. Values that a surface lacks come from [`Self::surface`].

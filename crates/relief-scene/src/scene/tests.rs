@@ -124,6 +124,7 @@ backend = "cpu"
 sampling = "fast"
 two-sided = true
 max-memory = "512MiB"
+viewer = { show = "error", second = "cone", second-show = "flip", divider = 0.25, swapped = true }
 clip = "reversed"
 near = 0.25
 far = inf

@@ -3,15 +3,16 @@
 use std::io::{self, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use relief_compare::{CompareError, Contender, ExactPicture};
+use relief_compare::{CompareError, Contender, ExactHits, ExactPicture};
 use relief_core::{ByteSize, Watch};
 use relief_io::write_picture;
+use relief_maps::Maps;
 use relief_render::RenderInfo;
 use relief_render::false_color::{
-    Canvas, Content, Gathered, Group, NOT_COMPARABLE, Quantity, Sheet, ValueOf,
+    Canvas, Content, Gathered, Group, Judge, NOT_COMPARABLE, Quantity, Sheet, ValueOf,
 };
 use relief_scene::{DEFAULT_MAX_MEMORY, Scene, SceneSpec, SurfaceSpec};
-use relief_shaders::{DETAIL, Entry, GEOMETRY, REFINE, SEARCH, SLICES, STAGES};
+use relief_shaders::{GEOMETRY, REFINE, SEARCH, SLICES, STAGES};
 use serde_json::{Value, json};
 
 use super::output::Outputs;
@@ -100,14 +101,8 @@ impl Plan {
     /// Returns the scene's description with a method, as if `--method` named it. Where hits are
     /// compared with the exact ones, methods see the finest level unless another is asked for.
     fn spec(&self, spec: &SceneSpec, method: Option<&Contender>) -> SceneSpec {
-        let mut spec = self.with_method(spec, method);
-        if self.has_errors() {
-            let finest = STAGES[DETAIL].first(Entry::is_idle).map_or("", |(_, entry)| entry.name);
-            for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
-                surface.stages.entry(STAGES[DETAIL].key.to_owned()).or_insert_with(|| finest.to_owned());
-            }
-        }
-        spec
+        let spec = self.with_method(spec, method);
+        if self.has_errors() { spec.at_finest_level() } else { spec }
     }
 
     fn with_method(&self, spec: &SceneSpec, method: Option<&Contender>) -> SceneSpec {
@@ -145,14 +140,44 @@ impl Plan {
 
     /// Whether pixels are compared with the exact hits.
     fn has_errors(&self) -> bool {
-        let is_comparison = |quantity: &Quantity| matches!(quantity.value, ValueOf::Comparison);
-        self.shown.iter().flatten().copied().any(is_comparison)
+        self.shown.iter().flatten().any(|quantity| quantity.value.is_comparison())
+    }
+
+    /// Whether colours are compared with the exact ones.
+    fn has_color_errors(&self) -> bool {
+        self.shown.iter().flatten().any(|quantity| matches!(quantity.value, ValueOf::OfColors))
+    }
+
+    /// Returns what pixels are compared with, if they are.
+    fn judge(
+        &self,
+        scene: &Scene,
+        maps: &mut Maps,
+        watch: &Watch,
+    ) -> Result<Option<Box<dyn Judge>>, Failure> {
+        if !self.has_errors() {
+            return Ok(None);
+        }
+        let lanes = lanes::from_environment()?;
+        let is_of_hits = |quantity: &Quantity| matches!(quantity.value, ValueOf::OfHit);
+        if self.shown.iter().flatten().copied().any(is_of_hits) {
+            ExactHits::check(scene).map_err(of_exact)?;
+        }
+        let judge: Result<Box<dyn Judge>, _> = match self.has_color_errors() {
+            true => ExactPicture::new(scene, lanes, maps, watch).map(|exact| Box::new(exact) as _),
+            false => ExactHits::new(scene, lanes, maps, watch).map(|exact| Box::new(exact) as _),
+        };
+        judge.map(Some).map_err(of_exact)
     }
 
     /// Checks the memory for the sheet and its pictures before it is taken.
     fn check_memory(&self, spec: &SceneSpec, sheet: &Sheet, scene: &Scene) -> Result<(), Failure> {
         let pixels = scene.size().map(u64::from).iter().product::<u64>();
-        let of_errors = if self.has_errors() { ExactPicture::BYTES_PER_PIXEL * pixels } else { 0 };
+        let of_errors = match (self.has_errors(), self.has_color_errors()) {
+            (_, true) => ExactPicture::BYTES_PER_PIXEL * pixels,
+            (true, false) => ExactHits::BYTES_PER_PIXEL * pixels,
+            (false, false) => 0,
+        };
         let needed = sheet.bytes() + of_errors;
         let limit: ByteSize = spec.max_memory.unwrap_or(DEFAULT_MAX_MEMORY);
         if needed <= limit.0 {
@@ -175,7 +200,7 @@ impl Plan {
     ) -> Result<(Sheet, Vec<Column>), Failure> {
         let mut renderer = PictureRenderer::new(arguments);
         let mut sheet = None;
-        let mut exact = None;
+        let mut judge = None;
         let mut columns = Vec::new();
         for method in &self.methods {
             let spec = self.spec(spec, method.as_ref());
@@ -194,16 +219,11 @@ impl Plan {
                 let layout = self.sheet(scene.size())?;
                 self.check_memory(&spec, &layout, &scene)?;
                 sheet = Some(layout);
-                if self.has_errors() {
-                    let lanes = lanes::from_environment()?;
-                    let hits = ExactPicture::new(&scene, lanes, &mut renderer.baked, &watch);
-                    exact = Some(hits.map_err(of_exact)?);
-                }
+                judge = self.judge(&scene, &mut renderer.baked, &watch)?;
             }
-            let errors = exact.as_ref().map(|exact| |at: usize, pixel: &_| exact.error_texels(at, pixel));
             let mut gathered = Gathered::new(&scene, &self.shown);
-            if let Some(errors) = &errors {
-                gathered = gathered.with_errors(errors);
+            if let Some(judge) = judge.as_deref() {
+                gathered = gathered.with_judge(judge);
             }
             if arguments.wire {
                 gathered = gathered.with_wire();

@@ -46,7 +46,7 @@ struct Drawn {
 /// Applies the script, and writes scene and pictures.
 pub fn run(arguments: &Arguments, path: &Path) -> Result<(), Failure> {
     let script = read(path)?;
-    let spec = arguments.machine.over(arguments.scene.spec()?);
+    let spec = arguments.spec()?;
     let mut session = Session::of(spec).map_err(Failure::usage)?;
     let mut changes = Vec::new();
     let mut pictures: Vec<Drawn> = Vec::new();

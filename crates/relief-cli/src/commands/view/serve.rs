@@ -37,7 +37,7 @@ const MAX_PANE: u32 = 8192;
 
 /// Opens the page, and answers it until the program is asked to end.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let spec = arguments.machine.over(arguments.scene.spec()?);
+    let spec = arguments.spec()?;
     let dropped = Dropped::new()?;
     let given = Given::of(&spec);
     given.add(dropped.folder());
@@ -100,6 +100,7 @@ fn answer(request: &mut Request, path: &str, viewer: &Viewer, end: &AtomicBool) 
         ("GET", "state") => Answer::json(&viewer.state()),
         ("GET", "progress") => Answer::json(&viewer.progress()),
         ("GET", "picture") => picture(&query, viewer),
+        ("GET", "pixel") => pixel(&query, viewer),
         ("GET", "save") => save(&query, viewer),
         ("POST", "apply") => match body(request) {
             Ok(sent) => refusable(viewer.apply(&sent)),
@@ -146,6 +147,18 @@ fn picture(query: &Query, viewer: &Viewer) -> Answer {
     let asked = Asked { pane: [width, height], part: query.number("part").unwrap_or(1.0), is_quick };
     match viewer.picture(asked) {
         Ok(bytes) => Answer::bytes(BYTES, bytes),
+        Err(NotDrawn::Ended) => Answer::error(ENDED, "another change ended it"),
+        Err(NotDrawn::Failed(said)) => Answer::error(REFUSED, said),
+    }
+}
+
+fn pixel(query: &Query, viewer: &Viewer) -> Answer {
+    let place = |name| query.number(name).filter(|place| *place >= 0.0).map(|place| place as u32);
+    let (Some(column), Some(row)) = (place("x"), place("y")) else {
+        return Answer::error(400, "a pixel needs x and y, each at least 0");
+    };
+    match viewer.pixel([column, row]) {
+        Ok(found) => Answer::json(&found),
         Err(NotDrawn::Ended) => Answer::error(ENDED, "another change ended it"),
         Err(NotDrawn::Failed(said)) => Answer::error(REFUSED, said),
     }

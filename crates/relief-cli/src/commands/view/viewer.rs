@@ -51,6 +51,9 @@ pub struct Sent {
     drag: Option<u64>,
 }
 
+/// Keys that arrange views, which stay as they are.
+const ARRANGING: [&str; 2] = ["viewer.divider", "viewer.swapped"];
+
 /// The size of a pane that nobody has told yet.
 const PANE: [u32; 2] = [800, 600];
 
@@ -94,6 +97,8 @@ impl Viewer {
     fn changed(&self, document: &mut Document, changed: &Changed) -> Value {
         if !changed.keys.is_empty() {
             document.revision += 1;
+        }
+        if changed.keys.iter().any(|key| !ARRANGING.contains(&key.as_str())) {
             self.end_what_is_old(changed);
         }
         let (revision, undo) = (document.revision, document.session.can_undo());
@@ -132,11 +137,21 @@ impl Viewer {
         })?;
         locked(&self.document).session.shown(drawn.seen);
         let about = drawn.about(revision).to_string();
-        let mut bytes = Vec::with_capacity(4 + about.len() + drawn.pixels.len());
+        let mut bytes = Vec::new();
         bytes.extend((about.len() as u32).to_le_bytes());
         bytes.extend(about.as_bytes());
-        bytes.extend(drawn.pixels);
+        drawn.into_pixels().for_each(|pixels| bytes.extend(pixels));
         Ok(bytes)
+    }
+
+    /// What is under a pixel of the views that are shown; nothing while they change.
+    pub fn pixel(&self, at: [u32; 2]) -> Result<Value, NotDrawn> {
+        let mut drawing = locked(&self.drawing);
+        self.stop.store(false, Ordering::Relaxed);
+        let tell = |task: &str, part: f32| self.tell(task, part, true);
+        let found = drawing.pixel(at, &Watch::new(&tell, &self.stop));
+        self.tell("", 0.0, false);
+        Ok(found?.unwrap_or(Value::Null))
     }
 
     fn tell(&self, task: &str, part: f32, is_quick: bool) {

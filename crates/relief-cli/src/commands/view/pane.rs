@@ -1,0 +1,157 @@
+//! One view of a scene: its picture, or numbers of its pixels.
+
+use std::sync::Arc;
+
+use rayon::prelude::*;
+use relief_core::{Cancelled, Watch};
+use relief_maps::Maps;
+use relief_render::false_color::{Content, Gathered, Judge, Quantity};
+use relief_render::picture::{Display, bytes_of};
+use relief_render::{RenderError, RenderInfo, Renderer};
+use relief_scene::{BackendChoice, Sampling, Scene, SceneReader};
+use relief_shaders::cpu::PixelOut;
+
+use super::drawing::NotDrawn;
+use crate::advice;
+use crate::lanes;
+
+/// What a view keeps from one picture to the next.
+#[derive(Default)]
+pub struct Pane {
+    pub reader: SceneReader,
+    renderer: Option<Made>,
+}
+
+/// A renderer, with what it was made for.
+struct Made {
+    backend: BackendChoice,
+    sampling: Sampling,
+    renderer: Renderer,
+    scene: Scene,
+}
+
+/// What a view shows.
+pub enum Painted {
+    /// Red, green, blue and 255, row by row from the top.
+    Picture(Vec<u8>),
+    /// Numbers or directions, with the picture's pixels.
+    Quantity(Content, Vec<PixelOut>),
+}
+
+impl Pane {
+    /// Draws the picture of a scene.
+    pub fn picture(
+        &mut self,
+        scene: &Scene,
+        maps: &mut Maps,
+        watch: &Watch,
+    ) -> Result<(Painted, RenderInfo), NotDrawn> {
+        let [columns, rows] = scene.size().map(|side| side as usize);
+        let mut bytes = Vec::with_capacity(4 * columns * rows);
+        let (display, mut row) = (Display::of(scene), 0);
+        let info = self.bands(scene, maps, false, watch, &mut |band| {
+            for line in band.chunks(columns.max(1)) {
+                let colours = display.linear_row(row, line);
+                row += 1;
+                bytes.par_extend(colours.into_par_iter().flat_map_iter(opaque));
+            }
+        })?;
+        Ok((Painted::Picture(bytes), info))
+    }
+
+    /// Draws a quantity of a scene.
+    pub fn quantity(
+        &mut self,
+        scene: &Scene,
+        quantity: &'static Quantity,
+        judge: Option<&dyn Judge>,
+        maps: &mut Maps,
+        watch: &Watch,
+    ) -> Result<(Painted, RenderInfo), NotDrawn> {
+        let mut gathered = Gathered::new(scene, &[Some(quantity)]);
+        if let Some(judge) = judge {
+            gathered = gathered.with_judge(judge);
+        }
+        let mut pixels = Vec::with_capacity(scene.size().map(|side| side as usize).iter().product());
+        let info = self.bands(scene, maps, true, watch, &mut |band| {
+            gathered.add(band);
+            pixels.extend_from_slice(band);
+        })?;
+        let content = gathered.finish().into_iter().next().unwrap_or(Content::Numbers(Vec::new()));
+        Ok((Painted::Quantity(content, pixels), info))
+    }
+
+    /// Draws the numbers of a scene's pixels, one sample each.
+    pub fn pixels(
+        &mut self,
+        scene: &Scene,
+        maps: &mut Maps,
+        watch: &Watch,
+    ) -> Result<Vec<PixelOut>, NotDrawn> {
+        let mut pixels = Vec::with_capacity(scene.size().map(|side| side as usize).iter().product());
+        self.bands(scene, maps, true, watch, &mut |band| pixels.extend_from_slice(band))?;
+        Ok(pixels)
+    }
+
+    fn bands(
+        &mut self,
+        scene: &Scene,
+        maps: &mut Maps,
+        numbers: bool,
+        watch: &Watch,
+        sink: &mut dyn FnMut(&[PixelOut]),
+    ) -> Result<RenderInfo, NotDrawn> {
+        let Made { renderer, scene: last, .. } = Made::of(&mut self.renderer, scene)?;
+        *last = scene.clone();
+        let pixels = scene.size().map(|side| side as usize).iter().product::<usize>();
+        let mut done = 0;
+        let rendered = renderer.render_bands(scene, maps, numbers, watch, &mut |band| {
+            sink(band);
+            done += band.len();
+            watch.at(done as f32 / pixels as f32).map_err(|_| Cancelled)
+        });
+        rendered.map_err(|error| match error {
+            RenderError::Cancelled(_) => NotDrawn::Ended,
+            other => NotDrawn::Failed(advice::with(&other, advice::of_render(&other))),
+        })
+    }
+}
+
+impl Made {
+    /// The renderer for a scene: the one before, if it serves.
+    fn of<'a>(before: &'a mut Option<Made>, scene: &Scene) -> Result<&'a mut Made, NotDrawn> {
+        let (backend, sampling) = (scene.backend(), scene.sampling());
+        let kept = before.take().filter(|made| {
+            // A GPU's renderer keeps its programs; one on the CPU holds data of other maps.
+            (made.backend, made.sampling) == (backend, sampling)
+                && (made.renderer.backend() == "gpu" || has_same_maps(&made.scene, scene))
+        });
+        let made = match kept {
+            Some(made) => made,
+            None => {
+                let renderer = Renderer::new(backend, sampling);
+                let mut renderer = renderer
+                    .map_err(|error| NotDrawn::Failed(advice::with(&error, advice::of_render(&error))))?;
+                renderer.set_lanes(lanes::from_environment()?);
+                Made { backend, sampling, renderer, scene: scene.clone() }
+            }
+        };
+        Ok(before.insert(made))
+    }
+}
+
+/// Whether surfaces share their maps and meshes with those before.
+fn has_same_maps(before: &Scene, scene: &Scene) -> bool {
+    let each = before.surfaces().iter().zip(scene.surfaces());
+    before.surfaces().len() == scene.surfaces().len()
+        && each.into_iter().all(|(before, surface)| {
+            Arc::ptr_eq(before.height_map(), surface.height_map())
+                && Arc::ptr_eq(before.mesh(), surface.mesh())
+        })
+}
+
+/// A colour of the page.
+fn opaque(linear: [f32; 3]) -> [u8; 4] {
+    let [red, green, blue] = bytes_of(linear);
+    [red, green, blue, u8::MAX]
+}

@@ -1,0 +1,91 @@
+//! What is under a pixel of the views that are shown.
+
+use relief_compare::ExactPicture;
+use relief_core::Watch;
+use relief_maps::Maps;
+use relief_scene::Scene;
+use relief_shaders::cpu::PixelOut;
+use serde_json::{Value, json};
+
+use super::drawing::NotDrawn;
+use super::pane::{Painted, Pane};
+
+/// The last views at rest.
+pub struct Looked {
+    views: Vec<Option<OfView>>,
+    exact: Option<ExactPicture>,
+}
+
+/// A view, and the numbers of its pixels once they have been asked for.
+struct OfView {
+    scene: Scene,
+    pixels: Option<Vec<PixelOut>>,
+}
+
+impl Looked {
+    pub fn new(
+        views: impl Iterator<Item = (Option<Scene>, Option<Painted>)>,
+        exact: Option<ExactPicture>,
+    ) -> Self {
+        let view = |(scene, painted): (Option<Scene>, Option<Painted>)| {
+            let pixels = match painted? {
+                Painted::Quantity(_, pixels) => Some(pixels),
+                Painted::Picture(_) => None,
+            };
+            Some(OfView { scene: scene?, pixels })
+        };
+        Self { views: views.map(view).collect(), exact }
+    }
+
+    /// What is under a pixel, in each view; none outside of the picture.
+    pub fn at(
+        &mut self,
+        [column, row]: [u32; 2],
+        panes: &mut [Pane],
+        maps: &mut Maps,
+        watch: &Watch,
+    ) -> Result<Option<Value>, NotDrawn> {
+        let Self { views, exact } = self;
+        let mut each = Vec::with_capacity(views.len());
+        for (view, pane) in views.iter_mut().zip(panes) {
+            let Some(OfView { scene, pixels }) = view else {
+                each.push(Value::Null);
+                continue;
+            };
+            let [columns, rows] = scene.size();
+            if column >= columns || row >= rows {
+                return Ok(None);
+            }
+            let pixels = match pixels {
+                Some(pixels) => pixels,
+                none => none.insert(pane.pixels(scene, maps, watch)?),
+            };
+            let number = column as usize + row as usize * columns as usize;
+            let Some(pixel) = pixels.get(number) else { return Ok(None) };
+            each.push(numbers(pixel, scene, exact.as_ref(), number));
+        }
+        Ok(Some(json!({ "at": [column, row], "views": each })))
+    }
+}
+
+/// The numbers of a pixel, in the units of AOVs.
+fn numbers(pixel: &PixelOut, scene: &Scene, exact: Option<&ExactPicture>, number: usize) -> Value {
+    let hits = exact.and_then(ExactPicture::hits);
+    let error = hits.map(|hits| hits.error_texels(number, pixel)).filter(|error| error.is_finite());
+    let exact_uv = hits.and_then(|hits| hits.hit(number)).map(|hit| hit.uv);
+    if pixel.hit == 0 {
+        return json!({ "hit": false, "exact_uv": exact_uv });
+    }
+    let PixelOut { uv, height, position, normal, depth, reads, steps, level, surface, .. } = pixel;
+    let height_m =
+        scene.surfaces().get(*surface as usize).filter(|surface| surface.object().is_none()).map(|surface| {
+            let map = surface.height_map();
+            f64::from(*height) * map.scale_m() + map.bias_m()
+        });
+    json!({
+        "hit": true, "uv": [uv.x, uv.y], "height_m": height_m, "depth_m": depth,
+        "position_m": [position.x, position.y, position.z], "normal": [normal.x, normal.y, normal.z],
+        "reads": reads, "steps": steps, "level": level, "surface": surface, "error_texels": error,
+        "exact_uv": exact_uv,
+    })
+}
