@@ -15,6 +15,7 @@ import * as files from "./view/files.mjs";
 import * as hands from "./view/hands.mjs";
 import * as hosts from "./view/hosts.mjs";
 import * as pictures from "./view/pictures.mjs";
+import * as views from "./view/views.mjs";
 
 const { values: options, positionals } = parseArgs({
     allowPositionals: true,
@@ -32,7 +33,7 @@ function types() {
     execFileSync(process.execPath, [compiler, "-p", project, "--noEmit"], { stdio: "inherit" });
 }
 
-const tests = Object.entries({ ...pictures, ...hosts, ...cameras, ...controls, ...files, ...hands });
+const tests = Object.entries({ ...pictures, ...hosts, ...cameras, ...controls, ...files, ...hands, ...views });
 const chosen = tests.filter(([name]) => !options.only || name.includes(options.only));
 if (chosen.length === 0) {
     console.error(`no test is called '${options.only}': ${tests.map(([name]) => name).join(", ")}`);

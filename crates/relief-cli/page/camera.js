@@ -4,7 +4,7 @@
 /** @import { Session } from "./session.js" */
 
 import { newNumber } from "./shared.js";
-import { shownHeight } from "./picture.js";
+import { shownBox } from "./picture.js";
 
 /** Degrees that a drag over the height of the picture turns by. */
 const TURN = 180;
@@ -118,7 +118,7 @@ export class Camera {
      */
     #dragged(right, down, mode, part) {
         if (right === 0 && down === 0) return;
-        const [x, y] = [right, down].map((way) => (way * part) / shownHeight(this.#canvas));
+        const [x, y] = [right, down].map((way) => (way * part) / shownBox(this.#canvas).height);
         if (x === undefined || y === undefined) return;
         if (mode === "pan") this.act({ do: "pan", by: [x, -y] }, this.#drag);
         // The surface follows the hand, so the eye goes the other way; the light follows it.

@@ -1,6 +1,7 @@
 // The host over HTTP: the only module that knows addresses and statuses.
 
-/** @import { Action, Applied, Drawn, Given, Host, Progress, Saved, State, Wish } from "./protocol.d.ts" */
+/** @import { AboutView, Action, Applied, Drawn, Given, Host, Progress } from "./protocol.d.ts" */
+/** @import { ReadPixel, Saved, State, Wish } from "./protocol.d.ts" */
 
 import { Gone, Outdated, Refused, newNumber } from "./shared.js";
 
@@ -33,6 +34,14 @@ export class HttpHost {
         });
         const answer = await ask(`picture?${query}`);
         return drawn(await arrived(answer.arrayBuffer()));
+    }
+
+    /**
+     * @param {[number, number]} at
+     * @returns {Promise<ReadPixel | null>}
+     */
+    pixel([x, y]) {
+        return json(`pixel?x=${x}&y=${y}`);
     }
 
     /** @returns {Promise<Progress>} */
@@ -129,7 +138,14 @@ function drawn(bytes) {
     const length = new DataView(bytes).getUint32(0, true);
     const about = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length)));
     const [width, height] = about.size;
-    return { about, pixels: new Uint8ClampedArray(bytes, 4 + length, width * height * 4) };
+    let begin = 4 + length;
+    const views = about.views.map((/** @type {AboutView} */ { failed }) => {
+        if (failed !== null) return null;
+        const pixels = new Uint8ClampedArray(bytes, begin, width * height * 4);
+        begin += pixels.length;
+        return pixels;
+    });
+    return { about, views };
 }
 
 /**

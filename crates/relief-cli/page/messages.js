@@ -12,6 +12,7 @@ const LOOK = 200;
 /** Words for the tasks that the host names. */
 const TASKS = new Map([
     ["rendering", "Rendering"],
+    ["exact hits", "Finding the exact hits"],
     ["sending", "Sending files"],
     ["", "Working"],
 ]);
@@ -75,10 +76,11 @@ export class Messages {
      * Says how a picture was drawn.
      * @param {AboutPicture} about
      */
-    drawn({ size, samples, seconds, backend, device, notes }) {
+    drawn({ size, samples, seconds, views, notes }) {
         const [width, height] = size;
         const each = samples === 1 ? "1 sample" : `${samples} samples`;
-        const where = device ? `${backend}, ${device}` : backend;
+        const drawn = views.find(({ failed }) => failed === null);
+        const where = [drawn?.backend, drawn?.device].filter(Boolean).join(", ");
         const figures = [`${width} × ${height}`, each, `${seconds.toPrecision(2)} s`, where];
         this.#figures.textContent = figures.join(" · ");
         const lines = notes.map((note) => element("li", {}, note));

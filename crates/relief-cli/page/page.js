@@ -6,9 +6,12 @@ import { Files } from "./files.js";
 import { Messages } from "./messages.js";
 import { PanelView } from "./panel.js";
 import { Picture } from "./picture.js";
+import { Reading } from "./reading.js";
 import { Saves } from "./saves.js";
 import { Session } from "./session.js";
 import { Empty, Toolbar } from "./toolbar.js";
+import { ViewBoxes } from "./view_boxes.js";
+import { Views } from "./views.js";
 
 /** @import { Host, State } from "./protocol.d.ts" */
 
@@ -27,12 +30,19 @@ export function start(host) {
         files.give([{ path: file.name, file }], key);
     const panel = new PanelView({ session, give, failed });
     const camera = new Camera(canvas, session, failed);
-    new Toolbar(host, session, camera);
+    const views = new Views(canvas, session, failed);
+    const reading = new Reading(canvas, host, session, views, failed);
+    const boxes = new ViewBoxes(session, failed, (pixel) => reading.mark(pixel));
+    new Toolbar(host, session, camera, views);
     new Saves(host, session, messages);
     new Picture({
-        ...{ canvas, host, session, messages },
+        ...{ canvas, host, session, messages, views },
         pane: byId("pane"),
-        rested: (about) => messages.drawn(about),
+        rested: (about) => {
+            messages.drawn(about);
+            boxes.drawn(about);
+            reading.rested(about.views.map(({ method }) => method ?? null));
+        },
         drawable: (why) => empty.show(why),
     });
     session.listen({

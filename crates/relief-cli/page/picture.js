@@ -1,7 +1,7 @@
-// The picture: asks for frames only when something has changed, one at a time, and puts their bytes on the
-// canvas.
+// The picture: asks for frames only when something has changed, one at a time.
 
 /** @import { AboutPicture, Drawn, Host, Wish } from "./protocol.d.ts" */
+/** @import { Views } from "./views.js" */
 /** @import { Session } from "./session.js" */
 /** @import { Messages } from "./messages.js" */
 
@@ -41,6 +41,7 @@ function clamped(number, least = -Infinity, most = Infinity) {
  * @property {HTMLElement} pane
  * @property {Host} host
  * @property {Session} session
+ * @property {Views} views
  * @property {Messages} messages
  * @property {(about: AboutPicture) => void} rested a picture of a view at rest is shown
  * @property {(why: string | null) => void} drawable says why nothing can be drawn
@@ -48,7 +49,6 @@ function clamped(number, least = -Infinity, most = Infinity) {
 
 export class Picture {
     /** @type {PictureParts} */ #parts;
-    /** @type {CanvasRenderingContext2D} */ #context;
     #size = { width: 0, height: 0 };
     #wanted = true;
     #asking = false;
@@ -59,13 +59,10 @@ export class Picture {
     /** @param {PictureParts} parts */
     constructor(parts) {
         this.#parts = parts;
-        const context = parts.canvas.getContext("2d", { alpha: false, willReadFrequently: true });
-        if (!context) throw new Error("this browser draws no pictures on a canvas");
-        this.#context = context;
         const { session } = parts;
         session.holdDragsWhile(() => this.#asking && this.#quick);
         session.listen({
-            changed: () => this.ask(),
+            changed: (keys) => keys.every(arranges) || this.ask(),
             rested: () => this.ask(),
             gone: (gone) => (this.#gone = gone),
         });
@@ -116,13 +113,11 @@ export class Picture {
      * @param {Drawn} drawn
      * @param {Wish} wish
      */
-    #show({ about, pixels }, wish) {
-        const { canvas, drawable, rested } = this.#parts;
-        const [width, height] = about.size;
-        if (canvas.width !== width) canvas.width = width;
-        if (canvas.height !== height) canvas.height = height;
-        this.#context.putImageData(new ImageData(pixels, width, height), 0, 0);
+    #show(drawn, wish) {
+        const { canvas, views, drawable, rested } = this.#parts;
+        const { about } = drawn;
         canvas.classList.toggle("own-size", !fills(about.size, wish));
+        views.show(drawn);
         drawable(null);
         if (!this.#quick) rested(about);
     }
@@ -185,11 +180,23 @@ function fills([width, height], wish) {
 }
 
 /**
- * The height in the page in which a canvas shows its picture.
+ * Whether a key only arranges what is shown.
+ * @param {string} key
+ */
+export function arranges(key) {
+    return key === "viewer.divider" || key === "viewer.swapped";
+}
+
+/**
+ * Where a canvas shows its picture, in pixels of the page from the canvas' corner.
  * @param {HTMLCanvasElement} canvas
  */
-export function shownHeight(canvas) {
-    const { width, height } = canvas.getBoundingClientRect();
-    if (!canvas.classList.contains("own-size")) return height;
-    return Math.min(height, (width * canvas.height) / canvas.width);
+export function shownBox(canvas) {
+    const { clientWidth, clientHeight } = canvas;
+    if (!canvas.classList.contains("own-size")) {
+        return { left: 0, top: 0, width: clientWidth, height: clientHeight };
+    }
+    const factor = Math.min(clientWidth / canvas.width, clientHeight / canvas.height);
+    const [width, height] = [canvas.width * factor, canvas.height * factor];
+    return { left: 0.5 * (clientWidth - width), top: 0.5 * (clientHeight - height), width, height };
 }

@@ -65,6 +65,7 @@ export type Action =
     | { do: "orbit" | "turn-light"; degrees: [number, number] }
     | { do: "pan"; by: [number, number] }
     | { do: "zoom"; factor: number }
+    | { do: "look-at"; point: [number, number, number] }
     | { do: "add-surface" | "fit" | "frame" | "undo" | "redo" | "reset" };
 
 /** The picture that is wanted: the pane's size in device pixels, and the factor on both sides. */
@@ -80,15 +81,61 @@ export interface AboutPicture {
     size: [number, number];
     samples: number;
     seconds: number;
-    backend: string;
-    device: string;
     notes: string[];
+    /** One view, or two. */
+    views: AboutView[];
 }
+
+/** A view: what it shows, or why it cannot be drawn. */
+export interface AboutView {
+    show: string;
+    failed: string | null;
+    method?: string;
+    backend?: string;
+    device?: string;
+    legend?: Legend | null;
+    errors?: { figures: Figures; worst: [number, number] | null } | null;
+}
+
+/** The colours of numbers, from the least to the greatest; directions have none. */
+export interface Legend {
+    title: string;
+    unit: string;
+    stops: string[];
+    ticks: { place: number; label: string }[];
+}
+
+/** The errors of a view beside the exact picture. */
+export type Figures =
+    | { flip: number }
+    | { rms: number; psnr_db: number | null }
+    | { median_texels: number; p99_texels: number; max_texels: number; passed: number };
 
 export interface Drawn {
     about: AboutPicture;
-    pixels: Uint8ClampedArray<ArrayBuffer>;
+    /** The pixels of each view; null for one that cannot be drawn. */
+    views: (Uint8ClampedArray<ArrayBuffer> | null)[];
 }
+
+/** What is under a pixel, in each view. */
+export interface ReadPixel {
+    at: [number, number];
+    views: (PixelNumbers | null)[];
+}
+
+export type PixelNumbers =
+    | { hit: false; exact_uv: [number, number] | null }
+    | {
+          hit: true;
+          uv: [number, number];
+          height_m: number | null;
+          depth_m: number;
+          position_m: [number, number, number];
+          reads: number;
+          steps: number;
+          error_texels: number | null;
+          exact_uv: [number, number] | null;
+      };
 
 export interface Progress {
     task: string;
@@ -111,6 +158,8 @@ export interface Host {
     state(): Promise<State>;
     apply(action: Action, drag: number | null): Promise<Applied>;
     picture(wish: Wish): Promise<Drawn>;
+    /** Null while the picture changes, and outside of it. */
+    pixel(at: [number, number]): Promise<ReadPixel | null>;
     progress(): Promise<Progress>;
     give(files: Given[], key: string | null, sent: (part: number) => void): Promise<Applied>;
     save(what: string): Promise<Saved>;

@@ -21,7 +21,7 @@ const RETRY = 2000;
  * @typedef {object} Listener
  * @property {(state: State) => void} [state] the panel may differ
  * @property {(undo: [boolean, boolean]) => void} [undo]
- * @property {() => void} [changed] the picture may differ
+ * @property {(keys: string[]) => void} [changed] the picture may differ: these keys do
  * @property {() => void} [rested] the view has come to rest
  * @property {(gone: boolean) => void} [gone] the host has gone, or is back
  */
@@ -137,7 +137,7 @@ export class Session {
     took(applied) {
         this.#tell((listener) => listener.undo?.(applied.undo));
         if (applied.changed.length === 0) return;
-        this.#tell((listener) => listener.changed?.());
+        this.#tell((listener) => listener.changed?.(applied.changed));
         this.#stateWanted = true;
         if (!this.#moving) this.readState();
     }
@@ -182,7 +182,7 @@ export class Session {
         }
         this.#gone = false;
         this.#tell((listener) => listener.gone?.(false));
-        this.#tell((listener) => listener.changed?.());
+        this.#tell((listener) => listener.changed?.([""]));
         this.readState();
     }
 

@@ -14,15 +14,18 @@ const STEPS = { "step-right": [1, 0], "step-left": [-1, 0], "step-up": [0, 1], "
 
 export class Toolbar {
     #camera;
+    #views;
     /** @type {[boolean, boolean]} */ #undo = [false, false];
 
     /**
      * @param {Host} host
      * @param {Session} session
      * @param {Camera} camera
+     * @param {{ swap: () => void }} views
      */
-    constructor(host, session, camera) {
+    constructor(host, session, camera, views) {
         this.#camera = camera;
+        this.#views = views;
         for (const name of PLAIN) onClick(name, () => this.#act(name));
         for (const [name, direction] of Object.entries(STEPS)) onClick(name, () => camera.step(direction));
         onClick("zoom-in", () => camera.zoom(1));
@@ -73,6 +76,7 @@ export class Toolbar {
 
     /** @param {KeyboardEvent} event */
     #key(event) {
+        if (event.key.toLowerCase() === "x" && isPlain(event)) return this.#views.swap();
         if (!(event.ctrlKey || event.metaKey) || event.altKey || isTyping(event.target)) return;
         const key = event.key.toLowerCase();
         const name = key === "y" || (key === "z" && event.shiftKey) ? "redo" : key === "z" ? "undo" : null;
@@ -84,6 +88,15 @@ export class Toolbar {
     #closeAll() {
         for (const dialog of document.querySelectorAll("dialog")) dialog.close();
     }
+}
+
+/**
+ * Whether a key is pressed alone, and not into a field.
+ * @param {KeyboardEvent} event
+ */
+function isPlain({ ctrlKey, metaKey, altKey, target }) {
+    if (ctrlKey || metaKey || altKey) return false;
+    return !(target instanceof HTMLInputElement || target instanceof HTMLSelectElement);
 }
 
 /** @param {string} name */

@@ -1,5 +1,7 @@
 // Values as a scene file writes them (TOML), and numbers as people read them.
 
+/** @import { Control, Panel } from "./protocol.d.ts" */
+
 /** What follows a backslash in a text. */
 const ESCAPES = /** @type {Record<string, string>} */ ({
     b: "\b",
@@ -85,4 +87,14 @@ export function rounded(number, digits = 3) {
  */
 export function stepped(number, step) {
     return Number((number + step).toPrecision(12));
+}
+
+/**
+ * The control of a key of the scene.
+ * @param {Panel} panel
+ * @param {string} key
+ * @returns {Control | undefined}
+ */
+export function controlOf(panel, key) {
+    return panel.scene.find((control) => control.key === key);
 }

@@ -60,4 +60,5 @@ pub use record::{
     About, CostRecord, ErrorRecord, LeftOut, MachineRecord, MethodRecord, PictureRecord, RayRecord, Records,
     TimeRecord,
 };
+pub use run::reference::EXACT_HITS;
 pub use run::{Compared, MethodDrawing, MethodPicture, Reference, Renderers};

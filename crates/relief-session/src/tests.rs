@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use relief_core::rng::Rng;
-use relief_scene::keys;
+use relief_scene::{Form, Key, keys, viewer_keys};
 use relief_shaders::{METHODS, STAGES};
 
 use crate::{Action, Control, Drag, Kind, Panel, Refused, Seen, Session};
@@ -11,6 +11,12 @@ const START: &str = "height = \"wall.png\"\neye = [0, 1, 3]\ntarget = [0, 0, 0]\
 
 fn session(text: &str) -> Session {
     Session::new(text).unwrap_or_else(|error| panic!("{error}: {text}"))
+}
+
+/// The keys that have a control each.
+fn controlled() -> impl Iterator<Item = Key> {
+    let has_own = |key: &Key| !matches!(key.form, Form::Settings | Form::Viewer);
+    keys().into_iter().filter(has_own).chain(viewer_keys())
 }
 
 fn controls(panel: &Panel) -> impl Iterator<Item = &Control> {
@@ -67,6 +73,7 @@ fn action(rng: &mut Rng, controls: &[Control]) -> Action {
         20 => Action::set(format!("surfaces[{}].scale", rng.below(4)), "0.25"),
         21 => Action::set("surfaces", "1"),
         22 => Action::set("scal", "1"),
+        23 => Action::LookAt { point: [by[0], by[1], degrees[0]].map(|x| 0.01 * x) },
         _ => Action::set(control.key.clone(), value(rng, control)),
     }
 }
@@ -122,7 +129,7 @@ fn every_key_and_setting_has_a_control_that_changes_the_document() {
         };
         let panel = session.panel();
         let has = |name: &str| controls(&panel).any(|control| control.key == name);
-        for key in keys().iter().filter(|key| key.name != "set") {
+        for key in controlled() {
             assert!(has(key.name), "{}", key.name);
         }
         let selection = session.spec().selections().expect("a selection")[0];
@@ -319,7 +326,7 @@ fn actions_are_read_from_json() {
     let panel = serde_json::to_value(session(START).panel()).expect("JSON");
     assert_eq!(
         panel["scene"].as_array().map(Vec::len),
-        Some(keys().iter().filter(|key| !key.of_surface).count())
+        Some(controlled().filter(|key| !key.of_surface).count())
     );
 }
 

@@ -1,21 +1,7 @@
 // The page serves every hand and eye: names and roles, contrast, the keyboard, small and magnified pages.
 
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
-
-const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-
-/** What axe finds that is serious or critical. */
-async function found(seat) {
-    const has = await seat.page.evaluate(() => "axe" in window);
-    // The page's content policy forbids scripts in the page; this one comes from the browser's side.
-    if (!has) await seat.page.evaluate(AXE);
-    const violations = await seat.page.evaluate(async () => (await window.axe.run()).violations);
-    const grave = violations.filter(({ impact }) => impact === "serious" || impact === "critical");
-    const said = ({ target, any }) => `${target} ${any[0]?.message ?? ""}`;
-    return grave.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map(said).join("; ")}`);
-}
+import { found } from "./axe.mjs";
 
 async function openAll(seat, isOpen) {
     await seat.page.$$eval("details.group", (all, open) => all.forEach((each) => (each.open = open)), isOpen);

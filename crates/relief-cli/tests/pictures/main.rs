@@ -17,3 +17,4 @@ mod pictures;
 mod procedure;
 mod shown;
 mod view;
+mod views;

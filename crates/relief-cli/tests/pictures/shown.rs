@@ -114,6 +114,25 @@ fn errors_are_distances_from_the_exact_hit() {
 }
 
 #[test]
+fn colours_are_compared_with_the_exact_picture() {
+    let folder = with_map(Folder::new());
+    let flags = "--methods bump,exact --show passed,color-error,flip --scale 0.1 --backend cpu";
+    let about = json_of(&folder.relief(&format!("{SMALL} {flags} -o sheet.png --json")).fine());
+    for (number, name) in ["passed", "color-error", "flip"].into_iter().enumerate() {
+        let [bump, exact] = [0, 1].map(|column| {
+            let shown = &about["pictures"][column]["shown"][number];
+            assert_eq!(shown["quantity"], name);
+            shown["most"].as_f64().expect("a number")
+        });
+        assert!(bump > 0.1 && bump <= 1.0 && exact < 1e-5, "{name}: {bump} {exact}");
+    }
+    folder.write("two.toml", "height = \"map.png\"\n[[surfaces]]\n[[surfaces]]\nposition = [0, 0.3, 0]\n");
+    folder.relief("render two.toml --size 60x40 --show flip -q -o two.png").fine();
+    let refused = folder.relief("render two.toml --size 60x40 --show flip,passed -q -o two.png");
+    assert!(refused.code == Some(2) && refused.stderr.contains("2 surfaces"), "{}", refused.stderr);
+}
+
+#[test]
 fn numbers_of_a_gpu_are_shown_as_well() {
     let folder = with_map(Folder::new());
     let ran = |backend: &str| {

@@ -77,6 +77,9 @@ pub fn truth(hit: Hit) -> ExactHit {
     ExactHit { hit, ..ExactHit::miss(Cost::default(), 0.0) }
 }
 
+/// Name of the task of finding the exact hits of a curved mesh.
+pub const EXACT_HITS: &str = "exact hits";
+
 /// Rows that are traced between two looks whether the work is cancelled.
 const ROWS: u32 = 16;
 
@@ -87,7 +90,8 @@ pub fn traced_exactly(
     [columns, rows]: [u32; 2],
     watch: &Watch,
 ) -> Result<Vec<ExactHit>, CompareError> {
-    watch.check()?;
+    let watch = watch.task(EXACT_HITS);
+    watch.at(0.0)?;
     let map = surface.height_map();
     let judge = DisplacedMesh::new(surface.mesh(), map, map.scale_m(), map.bias_m())?;
     let sides = if surface.two_sided() { Sides::Both } else { Sides::Front };
@@ -105,7 +109,7 @@ pub fn traced_exactly(
     };
     let mut seen = Vec::with_capacity(columns as usize * rows as usize);
     for first in (0..rows).step_by(ROWS as usize) {
-        watch.check()?;
+        watch.at(first as f32 / rows as f32)?;
         let last = (first + ROWS).min(rows);
         seen.par_extend((first * columns..last * columns).into_par_iter().map(traced));
     }

@@ -247,6 +247,13 @@ fn every_key_is_read() {
         backend: Some(BackendChoice::Cpu),
         sampling: Some(Sampling::Fast),
         max_memory: Some(ByteSize(512 << 20)),
+        viewer: ViewerSpec {
+            show: Some(Shown::Error),
+            second: Some("cone".into()),
+            second_show: Some(Shown::Flip),
+            divider: Some(0.25),
+            swapped: Some(true),
+        },
     };
     assert_eq!(spec, expected);
     assert_eq!(read("").expect("an empty scene"), SceneSpec::default());

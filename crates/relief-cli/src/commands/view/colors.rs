@@ -1,12 +1,12 @@
 //! Numbers of pixels in colours, with their legend, and the errors beside the exact picture.
 
-use relief_compare::ExactPicture;
 use relief_compare::picture::{Flip, Image, peak_signal_to_noise, root_mean_square};
-use relief_render::false_color::{Content, Form, NOT_COMPARABLE, PALETTE, Quantity, Scale, ValueOf, hatched};
+use relief_render::false_color::{Content, Form, NOT_COMPARABLE, PALETTE, Quantity, Scale, hatched};
 use relief_render::job::Rendering;
 use relief_scene::{Scene, Shown};
 use serde_json::{Value, json};
 
+use super::exact::Exact;
 use super::pane::Painted;
 
 /// Number of colours of a legend.
@@ -53,23 +53,8 @@ fn hex([red, green, blue]: [u8; 3]) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
-/// Says why a picture cannot be compared with the exact one.
-pub fn check(quantity: &Quantity, exact: &ExactPicture, scene: &Scene) -> Result<(), String> {
-    if exact.image().size() != scene.size() {
-        return Err("it has another size than the exact picture".to_owned());
-    }
-    if matches!(quantity.value, ValueOf::OfHit) && exact.hits().is_none() {
-        return Err(
-            "surfaces of a scene hide each other, so the exact hit of each is not known: show color-error \
-                    or flip"
-                .to_owned(),
-        );
-    }
-    Ok(())
-}
-
 /// The errors of a view as `relief compare` has them, and its worst pixel.
-pub fn errors(quantity: &Quantity, exact: &ExactPicture, painted: &Painted, scene: &Scene) -> Option<Value> {
+pub fn errors(quantity: &Quantity, exact: &Exact, painted: &Painted, scene: &Scene) -> Option<Value> {
     let Painted::Quantity(Content::Numbers(numbers), pixels) = painted else { return None };
     let [width, height] = scene.size();
     let figures = match quantity.shown {
@@ -80,8 +65,8 @@ pub fn errors(quantity: &Quantity, exact: &ExactPicture, painted: &Painted, scen
         Shown::ColorError => {
             let rendering = Rendering { width, height, pixels: pixels.clone() };
             let picture = Image::of(&rendering, scene).ok()?;
-            let rms = root_mean_square(exact.image(), &picture).ok()?;
-            json!({ "rms": rms, "psnr_db": peak_signal_to_noise(exact.image(), &picture).ok()? })
+            let rms = root_mean_square(exact.image()?, &picture).ok()?;
+            json!({ "rms": rms, "psnr_db": peak_signal_to_noise(exact.image()?, &picture).ok()? })
         }
         _ => json!(exact.hits()?.errors(pixels)),
     };

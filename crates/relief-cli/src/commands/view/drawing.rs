@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 use std::time::Instant;
 
-use relief_compare::{CompareError, ExactPicture};
+use relief_compare::CompareError;
 use relief_core::Watch;
 use relief_maps::Maps;
 use relief_render::RenderInfo;
@@ -14,6 +14,7 @@ use relief_session::Seen;
 use serde_json::{Value, json};
 
 use super::colors;
+use super::exact::Exact;
 use super::pane::{Painted, Pane};
 use super::pixel::Looked;
 use crate::advice;
@@ -164,7 +165,7 @@ impl Drawing {
         number: usize,
         view: &OfView,
         scene: &Scene,
-        exact: Option<&Result<ExactPicture, String>>,
+        exact: Option<&Result<Exact, String>>,
         watch: &Watch,
     ) -> Result<(Painted, RenderInfo), NotDrawn> {
         let Self { maps, panes, .. } = self;
@@ -172,8 +173,8 @@ impl Drawing {
         quantity.check(scene).map_err(|error| NotDrawn::Failed(error.to_string()))?;
         let judge: Option<&dyn Judge> = match exact.filter(|_| view.is_compared()) {
             Some(Ok(exact)) => {
-                colors::check(quantity, exact, scene).map_err(NotDrawn::Failed)?;
-                Some(exact)
+                exact.check(quantity, scene).map_err(NotDrawn::Failed)?;
+                Some(exact.judge())
             }
             Some(Err(said)) => return Err(NotDrawn::Failed(said.clone())),
             None => None,
@@ -187,10 +188,11 @@ impl Drawing {
         views: &[OfView],
         scenes: &[Result<Scene, String>],
         watch: &Watch,
-    ) -> Result<Option<Result<ExactPicture, String>>, NotDrawn> {
-        let mut compared = views.iter().zip(scenes).filter(|(view, _)| view.is_compared());
-        let Some(scene) = compared.find_map(|(_, scene)| scene.as_ref().ok()) else { return Ok(None) };
-        match ExactPicture::new(scene, lanes::from_environment()?, &mut self.maps, watch) {
+    ) -> Result<Option<Result<Exact, String>>, NotDrawn> {
+        let compared = || views.iter().zip(scenes).filter(|(view, _)| view.is_compared());
+        let Some(scene) = compared().find_map(|(_, scene)| scene.as_ref().ok()) else { return Ok(None) };
+        let quantities = compared().filter_map(|(view, _)| view.quantity);
+        match Exact::of(quantities, scene, lanes::from_environment()?, &mut self.maps, watch) {
             Ok(exact) => Ok(Some(Ok(exact))),
             Err(CompareError::Cancelled(_)) => Err(NotDrawn::Ended),
             Err(error) => Ok(Some(Err(error.to_string()))),
@@ -230,7 +232,7 @@ impl View {
         scene: Option<&Scene>,
         made: &Made,
         scale: Option<&Scale>,
-        exact: Option<&ExactPicture>,
+        exact: Option<&Exact>,
     ) -> Self {
         let show = view.shown.name();
         let (Ok((painted, info)), Some(scene)) = (made, scene) else {

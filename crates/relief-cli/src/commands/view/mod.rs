@@ -5,6 +5,7 @@ mod colors;
 mod door;
 mod drawing;
 mod dropped;
+mod exact;
 mod given;
 mod http;
 mod page;

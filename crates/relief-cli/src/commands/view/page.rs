@@ -22,6 +22,7 @@ const FILES: &[PageFile] = &page![
     "controls.js": SCRIPT,
     "elements.js": SCRIPT,
     "fields.js": SCRIPT,
+    "figures.js": SCRIPT,
     "files.js": SCRIPT,
     "host.js": SCRIPT,
     "index.html": HTML,
@@ -32,6 +33,7 @@ const FILES: &[PageFile] = &page![
     "panel.css": CSS,
     "panel.js": SCRIPT,
     "picture.js": SCRIPT,
+    "reading.js": SCRIPT,
     "saves.js": SCRIPT,
     "scale.js": SCRIPT,
     "session.js": SCRIPT,
@@ -39,6 +41,9 @@ const FILES: &[PageFile] = &page![
     "toolbar.js": SCRIPT,
     "values.js": SCRIPT,
     "view.css": CSS,
+    "view_boxes.js": SCRIPT,
+    "views.css": CSS,
+    "views.js": SCRIPT,
 ];
 
 /// Returns a file by its name; the page itself has none.

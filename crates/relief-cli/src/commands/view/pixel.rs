@@ -1,6 +1,5 @@
 //! What is under a pixel of the views that are shown.
 
-use relief_compare::ExactPicture;
 use relief_core::Watch;
 use relief_maps::Maps;
 use relief_scene::Scene;
@@ -8,12 +7,13 @@ use relief_shaders::cpu::PixelOut;
 use serde_json::{Value, json};
 
 use super::drawing::NotDrawn;
+use super::exact::Exact;
 use super::pane::{Painted, Pane};
 
 /// The last views at rest.
 pub struct Looked {
     views: Vec<Option<OfView>>,
-    exact: Option<ExactPicture>,
+    exact: Option<Exact>,
 }
 
 /// A view, and the numbers of its pixels once they have been asked for.
@@ -23,10 +23,7 @@ struct OfView {
 }
 
 impl Looked {
-    pub fn new(
-        views: impl Iterator<Item = (Option<Scene>, Option<Painted>)>,
-        exact: Option<ExactPicture>,
-    ) -> Self {
+    pub fn new(views: impl Iterator<Item = (Option<Scene>, Option<Painted>)>, exact: Option<Exact>) -> Self {
         let view = |(scene, painted): (Option<Scene>, Option<Painted>)| {
             let pixels = match painted? {
                 Painted::Quantity(_, pixels) => Some(pixels),
@@ -69,8 +66,8 @@ impl Looked {
 }
 
 /// The numbers of a pixel, in the units of AOVs.
-fn numbers(pixel: &PixelOut, scene: &Scene, exact: Option<&ExactPicture>, number: usize) -> Value {
-    let hits = exact.and_then(ExactPicture::hits);
+fn numbers(pixel: &PixelOut, scene: &Scene, exact: Option<&Exact>, number: usize) -> Value {
+    let hits = exact.and_then(Exact::hits);
     let error = hits.map(|hits| hits.error_texels(number, pixel)).filter(|error| error.is_finite());
     let exact_uv = hits.and_then(|hits| hits.hit(number)).map(|hit| hit.uv);
     if pixel.hit == 0 {

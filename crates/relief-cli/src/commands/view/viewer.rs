@@ -3,6 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use relief_compare::EXACT_HITS;
 use relief_core::Watch;
 use relief_maps::Maps;
 use relief_render::RENDERING;
@@ -109,7 +110,7 @@ impl Viewer {
     /// for other places of the camera serves them all.
     fn end_what_is_old(&self, changed: &Changed) {
         let work = locked(&self.work);
-        let is_drawn = work.task == RENDERING;
+        let is_drawn = [RENDERING, EXACT_HITS].contains(&work.task.as_str());
         let is_old =
             if is_drawn { !work.is_quick } else { !changed.keys.iter().all(|key| is_of_camera(key)) };
         if is_old {

@@ -1,0 +1,201 @@
+// What stands over each view: its method, what it shows, the legend, and its errors.
+
+/** @import { AboutPicture, AboutView, Action, Control, State } from "./protocol.d.ts" */
+/** @import { Session } from "./session.js" */
+
+import { byId, element } from "./elements.js";
+import { figuresOf } from "./figures.js";
+import { newNumber } from "./shared.js";
+import { controlOf, textOf, written } from "./values.js";
+
+/** Methods of a second view when it is opened: the truth beside any other method. */
+const SECOND = ["exact", "relief"];
+
+/** Least distance between two numbers of a legend, as a part of its width. */
+const APART = 0.24;
+
+export class ViewBoxes {
+    #session;
+    #failed;
+    #worst;
+    /** @type {Box[]} */ #boxes;
+    #own = "";
+    #hasSecond = false;
+
+    /**
+     * @param {Session} session
+     * @param {(error: unknown) => void} failed
+     * @param {(pixel: [number, number]) => void} worst shows a pixel
+     */
+    constructor(session, failed, worst) {
+        this.#session = session;
+        this.#failed = failed;
+        this.#worst = worst;
+        const set = (/** @type {string} */ key, /** @type {string} */ name) => {
+            if (name === "") this.#act({ do: "lose", key });
+            else this.#act({ do: "set", key, value: written(name) });
+        };
+        this.#boxes = [
+            new Box("first", ["viewer.show"], set, (pixel) => this.#worst(pixel)),
+            new Box("second", ["viewer.second", "viewer.second-show"], set, (pixel) => this.#worst(pixel)),
+        ];
+        byId("close-second").addEventListener("click", () => this.toggle());
+        for (const button of document.querySelectorAll('[data-do="compare"]')) {
+            button.addEventListener("click", () => this.toggle());
+        }
+        session.listen({ state: (state) => this.#state(state) });
+    }
+
+    /** Opens the second view, or closes it. */
+    toggle() {
+        if (!this.#hasSecond) {
+            const value = SECOND.find((name) => name !== this.#own) ?? "exact";
+            this.#act({ do: "set", key: "viewer.second", value });
+            return;
+        }
+        // Both are undone together.
+        const drag = newNumber();
+        for (const key of ["viewer.second", "viewer.second-show"]) this.#act({ do: "lose", key }, drag);
+    }
+
+    /** @param {AboutPicture} about */
+    drawn({ views }) {
+        this.#own = views[0]?.method ?? "";
+        views.forEach((view, number) => this.#boxes[number]?.drawn(view));
+    }
+
+    /** @param {State} state */
+    #state({ panel }) {
+        const given = (/** @type {string} */ key) => controlOf(panel, key)?.value ?? null;
+        this.#hasSecond = given("viewer.second") !== null || given("viewer.second-show") !== null;
+        for (const box of this.#boxes) box.state((key) => controlOf(panel, key));
+        byId("second").hidden = !this.#hasSecond;
+        for (const button of document.querySelectorAll('[data-do="compare"]')) {
+            button.setAttribute("aria-pressed", `${this.#hasSecond}`);
+        }
+    }
+
+    /**
+     * @param {Action} action
+     * @param {number | null} [drag]
+     */
+    async #act(action, drag = null) {
+        try {
+            await this.#session.apply(action, drag);
+        } catch (error) {
+            this.#failed(error);
+        }
+    }
+}
+
+/** The box of a view. */
+class Box {
+    /** @type {Map<string, HTMLSelectElement>} */ #selects = new Map();
+    #shown = "";
+    #method;
+    #legend;
+    #figures;
+    #failed;
+    #worst;
+    /** @type {[number, number] | null} */ #pixel = null;
+
+    /**
+     * @param {string} id
+     * @param {string[]} keys
+     * @param {(key: string, name: string) => void} set
+     * @param {(pixel: [number, number]) => void} worst
+     */
+    constructor(id, keys, set, worst) {
+        const box = byId(id);
+        const part = (/** @type {string} */ name) => {
+            const found = box.querySelector(`.${name}`);
+            if (!(found instanceof HTMLElement)) throw new Error(`the view '${id}' has no ${name}`);
+            return found;
+        };
+        this.#legend = part("legend");
+        this.#figures = part("figures");
+        this.#failed = part("failed");
+        this.#method = box.querySelector(".method");
+        for (const key of keys) {
+            const select = box.querySelector(`select[data-choice="${key}"]`);
+            if (!(select instanceof HTMLSelectElement)) throw new Error(`there is no choice of ${key}`);
+            select.addEventListener("change", () => set(key, select.value));
+            this.#selects.set(key, select);
+        }
+        this.#worst = part("worst");
+        this.#worst.addEventListener("click", () => this.#pixel && worst(this.#pixel));
+    }
+
+    /** @param {(key: string) => Control | undefined} controlled */
+    state(controlled) {
+        const controls = [...this.#selects.keys()].map(controlled);
+        const shown = JSON.stringify(controls.map((control) => [control?.choices, control?.value]));
+        if (shown === this.#shown) return;
+        this.#shown = shown;
+        [...this.#selects.values()].forEach((select, number) => {
+            const control = controls[number];
+            if (control) showChoices(select, control);
+        });
+    }
+
+    /** @param {AboutView} view */
+    drawn({ method, legend, errors, failed }) {
+        if (this.#method && method) this.#method.textContent = method;
+        this.#failed.textContent = failed ?? "";
+        this.#legend.replaceChildren(...(legend ? legendOf(legend) : []));
+        const lines = errors ? figuresOf(errors.figures) : [];
+        this.#figures.replaceChildren(...lines.map((line) => element("span", {}, line)));
+        this.#pixel = errors?.worst ?? null;
+        this.#worst.hidden = this.#pixel === null;
+    }
+}
+
+/**
+ * @param {HTMLSelectElement} select
+ * @param {Control} control
+ */
+function showChoices(select, { key, choices, value, default: standard }) {
+    const now = textOf(value);
+    const first = key === "viewer.second" ? "this method" : standard === null ? "the same" : textOf(standard);
+    const others = choices.filter(({ name }) => standard === null || name !== textOf(standard));
+    const options = others.map(({ name, about, refused }) =>
+        element(
+            "option",
+            { value: name, disabled: refused !== null && name !== now, title: refused ?? about },
+            name,
+        ),
+    );
+    select.replaceChildren(element("option", { value: "" }, first), ...options);
+    select.value = standard !== null && now === textOf(standard) ? "" : now;
+}
+
+/**
+ * @param {import("./protocol.d.ts").Legend} legend
+ * @returns {HTMLElement[]}
+ */
+function legendOf({ title, stops, ticks }) {
+    const name = element("p", {}, title);
+    if (stops.length === 0) return [name];
+    const bar = element("div", { class: "bar", "aria-hidden": "true" });
+    bar.style.background = `linear-gradient(to right, ${stops.join(", ")})`;
+    const shown = apart(ticks).map(({ place, label }) => {
+        const tick = element("span", {}, label);
+        tick.style.left = `${100 * place}%`;
+        tick.style.translate = `${-100 * place}%`;
+        return tick;
+    });
+    return [name, bar, element("div", { class: "ticks" }, ...shown)];
+}
+
+/**
+ * The numbers that have room: the ends, which come first, and what lies apart from them.
+ * @param {{ place: number, label: string }[]} ticks
+ */
+function apart(ticks) {
+    /** @type {typeof ticks} */
+    const kept = [];
+    for (const tick of ticks) {
+        if (kept.every(({ place }) => Math.abs(place - tick.place) >= APART)) kept.push(tick);
+    }
+    return kept.sort((a, b) => a.place - b.place);
+}
