@@ -226,7 +226,7 @@ pub enum ValueProblem {
     },
     /// Nothing has that name.
     #[error(transparent)]
-    UnknownName(relief_core::registry::UnknownName),
+    UnknownName(Box<relief_core::registry::UnknownName>),
     /// The picture has no pixels, or too many along a side.
     #[error(
         "{width}x{height} pixels are not possible: each side must be from 1 to {}",

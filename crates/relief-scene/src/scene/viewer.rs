@@ -59,7 +59,7 @@ impl ViewerSpec {
 
     pub(super) fn check(&self) -> Result<(), ValueError> {
         if let Some(Err(unknown)) = self.second.as_deref().map(method) {
-            return Err(ValueProblem::UnknownName(unknown).of("viewer.second"));
+            return Err(ValueProblem::UnknownName(Box::new(unknown)).of("viewer.second"));
         }
         match self.divider {
             Some(value) if !(0.0..=1.0).contains(&value) => {
