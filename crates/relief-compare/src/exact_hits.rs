@@ -99,7 +99,7 @@ impl ExactHits {
         Ok(Self { map, hits })
     }
 
-    /// Takes the hits of an exact picture's pixels, or traces those of a curved mesh.
+    /// Takes the hits of an exact picture's pixels; on a curved mesh they are traced.
     pub(crate) fn of_picture(
         scene: &Scene,
         surface: &Surface,

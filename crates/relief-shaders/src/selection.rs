@@ -114,7 +114,7 @@ impl Selection {
     }
 
     /// Returns the name of the method that it is; of a pair without one, such as `linear+none`, both names.
-    /// Methods that differ in settings alone are told apart by them.
+    /// Settings distinguish methods of the same variants.
     pub fn method_name(&self) -> String {
         let [geometry, search, refine] =
             [GEOMETRY, SEARCH, REFINE].map(|place| self.choices[place].entry.name);
@@ -123,11 +123,13 @@ impl Selection {
         let has_settings = |method: &&Method| {
             let mut with = *self;
             let is_set = method.settings.iter().all(|(key, value)| with.set(key, f64::from(*value)).is_ok());
-            is_set && with.choices.iter().zip(&self.choices).all(|(a, b)| a.params == b.params)
+            let mut each = with.choices.iter().zip(&self.choices);
+            is_set && each.all(|(a, b)| (a.number, a.params) == (b.number, b.params))
         };
-        let mut same = METHODS.iter().filter(is_same);
-        let first = same.clone().next();
-        let found = same.find(has_settings).or(first);
+        let same = || METHODS.iter().filter(is_same);
+        // The one that says most of what it is.
+        let found = same().rev().filter(has_settings).max_by_key(|method| method.settings.len());
+        let found = found.or_else(|| same().next());
         found.map_or_else(|| format!("{search}+{refine}"), |method| method.name.to_owned())
     }
 

@@ -169,7 +169,7 @@ fn the_pixel_that_is_read_is_that_of_the_aovs() {
     assert!(errors.iter().all(|error| *error <= most), "{most}: {errors:?}");
     let figures = &views(&about)[1]["errors"]["figures"];
     assert!((most - figures["max_texels"].as_f64().expect("a number")).abs() < 1e-4 * most);
-    // What is looked at comes to the middle.
+    // What is looked at is in the middle then.
     let point = read["views"][1]["position_m"].clone();
     page.apply(&json!({ "do": "look-at", "point": point })).expect("a change");
     assert_eq!(page.get("pixel?x=99&y=10"), b"null", "outside of the picture");
