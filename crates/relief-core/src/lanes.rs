@@ -94,9 +94,12 @@ impl Lanes {
         {
             return pulp::Simd::vectorize(simd, op);
         }
-        #[cfg(not(target_arch = "x86_64"))]
-        if self != Self::One {
-            return pulp::Arch::new().dispatch(op);
+        // Not by `pulp::Arch`: for the web it would compile relaxed SIMD, which engines may refuse.
+        #[cfg(target_arch = "aarch64")]
+        if self != Self::One
+            && let Some(simd) = pulp::aarch64::Neon::try_new()
+        {
+            return pulp::Simd::vectorize(simd, op);
         }
         op.with_simd(pulp::Scalar::new())
     }

@@ -2,11 +2,11 @@
 //!
 //! The encoder pulls pixels block by block, but a renderer pushes rows. Therefore the encoder works
 //! in a thread of its own, which waits for the next eight rows. At most three such bands are in
-//! memory at once.
+//! memory at once. Without threads, as on the web, the encoder begins when it has all bands.
 
 use std::cell::{Cell, RefCell};
 use std::io::{self, Write};
-use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::sync::mpsc::{Receiver, channel, sync_channel};
 use std::thread;
 
 use image::codecs::jpeg::JpegEncoder;
@@ -29,6 +29,16 @@ pub(crate) type ByteRows<'a> = dyn FnMut(&mut dyn Iterator<Item = u8>) -> io::Re
 /// Writes a picture. `rows` passes all rows to its argument, from the top.
 pub(crate) fn write_jpeg(
     out: &mut (impl Write + Send),
+    size: [u32; 2],
+    rows: impl FnOnce(&mut ByteRows<'_>) -> io::Result<()>,
+) -> Result<(), WriteProblem> {
+    write_in(cfg!(not(target_family = "wasm")), out, size, rows)
+}
+
+/// Writes a picture, with the encoder in a thread or after all rows.
+fn write_in(
+    thread: bool,
+    out: &mut (impl Write + Send),
     [width, height]: [u32; 2],
     rows: impl FnOnce(&mut ByteRows<'_>) -> io::Result<()>,
 ) -> Result<(), WriteProblem> {
@@ -36,11 +46,21 @@ pub(crate) fn write_jpeg(
         let what = format!("a JPEG has 1 to {MOST_SIDE} pixels a side, not {width}x{height}");
         return Err(WriteProblem::NotStorable(what));
     }
+    if !thread {
+        let (sender, receiver) = channel();
+        return match hand_over([width, height], |band| sender.send(band).is_ok(), rows) {
+            Err(Ended::Rows(error)) => Err(error.into()),
+            _ => {
+                drop(sender);
+                encode(out, [width, height], receiver)
+            }
+        };
+    }
     let (sender, receiver) = sync_channel(1);
     thread::scope(|scope| {
         let encode = move || encode(out, [width, height], receiver);
         let encoder = thread::Builder::new().name("jpeg".to_owned()).spawn_scoped(scope, encode)?;
-        let handed = hand_over([width, height], sender, rows);
+        let handed = hand_over([width, height], move |band| sender.send(band).is_ok(), rows);
         let encoded = encoder.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
         match (handed, encoded) {
             // The encoder ends early if the file cannot be written, or if the rows end early.
@@ -58,10 +78,10 @@ enum Ended {
     Encoder,
 }
 
-/// Gathers rows into bands, and sends each to the encoder.
+/// Gathers rows into bands, and sends each to the encoder. `send` returns whether the encoder still runs.
 fn hand_over(
     [width, height]: [u32; 2],
-    sender: SyncSender<Vec<u8>>,
+    mut send: impl FnMut(Vec<u8>) -> bool,
     rows: impl FnOnce(&mut ByteRows<'_>) -> io::Result<()>,
 ) -> Result<(), Ended> {
     let row_len = 3 * width as usize;
@@ -76,7 +96,7 @@ fn hand_over(
             return Ok(());
         }
         first = (first + BAND).min(height);
-        has_encoder = sender.send(std::mem::take(&mut band)).is_ok();
+        has_encoder = send(std::mem::take(&mut band));
         if has_encoder { Ok(()) } else { Err(io::ErrorKind::BrokenPipe.into()) }
     });
     match done {
@@ -174,9 +194,9 @@ mod tests {
         (0..3 * width).map(|x| (x * x / 3 + 7 * y * x + y * y) as u8).collect()
     }
 
-    fn written(size: [u32; 2], rows: u32) -> (Vec<u8>, Result<(), WriteProblem>) {
+    fn written(thread: bool, size: [u32; 2], rows: u32) -> (Vec<u8>, Result<(), WriteProblem>) {
         let mut bytes = Vec::new();
-        let result = write_jpeg(&mut bytes, size, |sink| {
+        let result = write_in(thread, &mut bytes, size, |sink| {
             (0..rows).try_for_each(|y| sink(&mut row(size[0], y).into_iter()))
         });
         (bytes, result)
@@ -189,18 +209,20 @@ mod tests {
             let mut whole = Vec::new();
             let mut encoder = JpegEncoder::new_with_quality(&mut whole, QUALITY);
             encoder.encode(&all, width, height, ExtendedColorType::Rgb8).expect("encoded");
-            let (bytes, result) = written(size, height);
-            result.expect("written");
-            assert!(bytes == whole, "{size:?}");
+            for thread in [true, false] {
+                let (bytes, result) = written(thread, size, height);
+                result.expect("written");
+                assert!(bytes == whole, "{size:?}");
+            }
         }
     }
 
     #[test]
     fn too_few_rows_too_many_and_full_disks_are_errors() {
         for rows in [0, 7, 8, 15, 31] {
-            assert!(written([16, 32], rows).1.is_err(), "{rows}");
+            assert!([true, false].iter().all(|thread| written(*thread, [16, 32], rows).1.is_err()), "{rows}");
         }
-        assert!(written([0, 1], 1).1.is_err() && written([65_536, 1], 1).1.is_err());
+        assert!(written(true, [0, 1], 1).1.is_err() && written(true, [65_536, 1], 1).1.is_err());
         struct Full(usize);
         impl Write for Full {
             fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {

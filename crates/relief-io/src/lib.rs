@@ -27,8 +27,8 @@
 //! [`OMISSIONS`] describes the case and the treatment. [`read_height_file`] and
 //! [`inspect`](inspect()) return notes; [`read_notes`] returns them for other pictures.
 //!
-//! Every reader takes a [`Source`]: a file's path, or the bytes of a file that are already in
-//! memory.
+//! Every reader takes a [`Source`]: a file's path, the bytes of a file in memory, or a path among
+//! [`Files`], which are on disk or in memory.
 //!
 //! # Memory
 //!
@@ -63,6 +63,7 @@ mod examine;
 mod exif;
 mod exr;
 pub mod file_set;
+mod files;
 mod fill;
 mod foreign;
 mod georeference;
@@ -117,6 +118,7 @@ pub use engine::{
     write_engine_model,
 };
 pub use error::{ReadError, ReadProblem, WriteError, WriteProblem};
+pub use files::{FileStamp, Files, MemoryFiles, MemoryPathError};
 pub use foreign::ForeignFormat;
 pub use georeference::{GivenUnits, LengthUnit, epsg};
 pub use ground::{Ground, read_ground};
@@ -140,13 +142,13 @@ pub use motif::{MOTIF_EXTRAS, read_motif_depth};
 pub use normal_map::{GreenSign, NormalMap, NormalVectors, SHORTEST, read_normal_map, read_normal_vectors};
 pub use omissions::{OMISSIONS, Omission, ReadNote, Remark, read_notes};
 pub use picture::{Curve, Picture, linear_to_srgb, read_picture, read_picture_as, srgb_to_linear};
-pub use picture_file::{PictureFormat, PictureSink, write_picture};
+pub use picture_file::{PictureFormat, PictureSink, encode_picture, write_picture};
 pub use raw_layout::{BadRawLayout, ByteOrder, RawLayout};
 pub use source::Source;
 pub use text::decode_text;
 pub use texture::{
-    LineSink, Metadata, PngTexture, Row, RowSource, read_metadata, write_dds, write_exr_lines,
-    write_exr_rows, write_png_colours, write_png_rows,
+    LineSink, Metadata, PngTexture, Row, RowSource, encode_exr_lines, read_metadata, write_dds,
+    write_exr_lines, write_exr_rows, write_png_colours, write_png_rows,
 };
 pub use texture_set::{
     FoundTexture, LeftReason, TextureRole, TextureSet, TextureSetError, find_textures, material_name,

@@ -1,6 +1,6 @@
 //! Writer of pictures, row by row, so that they need not fit into memory.
 
-use std::io;
+use std::io::{self, Seek, Write};
 use std::path::Path;
 
 use png::{BitDepth, ColorType};
@@ -44,12 +44,38 @@ pub type PictureSink<'a> = dyn FnMut(&[[f32; 3]]) -> io::Result<()> + 'a;
 /// length or number, or when the file cannot be written. Nothing is left behind then.
 pub fn write_picture(
     path: &Path,
-    [width, height]: [u32; 2],
+    size: [u32; 2],
     format: PictureFormat,
     rows: impl FnOnce(&mut PictureSink) -> io::Result<()>,
 ) -> Result<(), WriteError> {
-    let size = [width, height];
-    write_file(path, |out| match format {
+    write_file(path, |out| encode_picture(out, size, format, rows))
+}
+
+/// Writes the bytes of the file of [`write_picture`].
+///
+/// ```
+/// use std::io::Cursor;
+///
+/// use relief_io::{DEFAULT_MAX_BYTES, PictureFormat, Source, encode_picture, read_picture};
+///
+/// let mut png = Cursor::new(Vec::new());
+/// encode_picture(&mut png, [1, 1], PictureFormat::Png8, |sink| sink(&[[1.0, 0.0, 1.0]]))?;
+/// let read = read_picture(Source::bytes("pixel.png", png.get_ref()), DEFAULT_MAX_BYTES)?;
+/// assert_eq!(read.texels, [[1.0, 0.0, 1.0, 1.0]]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+///
+/// See [`write_picture`].
+pub fn encode_picture(
+    out: &mut (impl Write + Seek + Send),
+    size: [u32; 2],
+    format: PictureFormat,
+    rows: impl FnOnce(&mut PictureSink) -> io::Result<()>,
+) -> Result<(), WriteProblem> {
+    let [width, height] = size;
+    match format {
         PictureFormat::Png8 | PictureFormat::Png16 => {
             let depth = if format == PictureFormat::Png8 { BitDepth::Eight } else { BitDepth::Sixteen };
             relief_core::HeightMap::check_size(width, height)
@@ -86,7 +112,7 @@ pub fn write_picture(
                 sink(&mut row.as_flattened().iter().map(|sample| unorm_code(*sample, 255) as u8))
             })
         }),
-    })
+    }
 }
 
 /// Passes rows on, and checks that they match the picture's size.

@@ -1,16 +1,18 @@
 //! Sources of a file's bytes, and their readers.
 
 use std::borrow::Cow;
+use std::ffi::OsString;
 use std::fmt;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Cursor, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
+use crate::files::MemoryFiles;
 use crate::{ReadError, ReadProblem};
 
-/// Input of a reader: a file by its path, or the bytes of a file in memory.
+/// Input of a reader: a file on disk, a file among [`Files`](crate::Files), or the bytes of a file in memory.
 ///
-/// Every reader takes either. A reference to any path converts to a source:
+/// Every reader takes each of them. A reference to any path converts to a source on disk:
 ///
 /// ```no_run
 /// # fn main() -> Result<(), relief_io::ReadError> {
@@ -28,7 +30,19 @@ use crate::{ReadError, ReadProblem};
 pub struct Source<'a> {
     /// Path of the file, or the name given with bytes.
     name: &'a Path,
-    bytes: Option<&'a [u8]>,
+    place: Place<'a>,
+}
+
+/// The files beside the bytes of one file.
+static NO_FILES: MemoryFiles = MemoryFiles::new();
+
+/// Place of a source's bytes.
+#[derive(Clone, Copy)]
+enum Place<'a> {
+    Disk,
+    /// The bytes of one file, which has no folder.
+    Bytes(&'a [u8]),
+    Memory(&'a MemoryFiles),
 }
 
 impl<'a> Source<'a> {
@@ -37,7 +51,12 @@ impl<'a> Source<'a> {
     /// Formats are recognised by content. The name is used if the content shows no format: bytes
     /// with a name such as `terrain.r16` are headerless and need their layout.
     pub fn bytes(name: &'a (impl AsRef<Path> + ?Sized), bytes: &'a [u8]) -> Self {
-        Self { name: name.as_ref(), bytes: Some(bytes) }
+        Self { name: name.as_ref(), place: Place::Bytes(bytes) }
+    }
+
+    /// Creates the source of a file in memory.
+    pub(crate) fn in_memory(name: &'a Path, files: &'a MemoryFiles) -> Self {
+        Self { name, place: Place::Memory(files) }
     }
 
     /// Returns the file's path, or the name given with its bytes.
@@ -45,30 +64,113 @@ impl<'a> Source<'a> {
         self.name
     }
 
-    /// Returns the path of a sidecar file with the name of this file and one more extension, if it
-    /// exists. Bytes in memory have no sidecars.
-    pub(crate) fn beside(&self, extension: &str) -> Option<PathBuf> {
-        if self.bytes.is_some() {
-            return None;
+    /// Returns the source of another path in the same place. Beside the bytes of one file there is no other,
+    /// so reading the result fails.
+    pub fn with_name<'b>(&self, name: &'b Path) -> Source<'b>
+    where
+        'a: 'b,
+    {
+        match self.place {
+            Place::Disk => Source::from(name),
+            Place::Bytes(_) => Source::in_memory(name, &NO_FILES),
+            Place::Memory(files) => Source::in_memory(name, files),
         }
+    }
+
+    /// Returns whether the source is a regular file: no folder, pipe or device.
+    ///
+    /// # Errors
+    ///
+    /// When it does not exist or cannot be accessed.
+    pub fn is_file(&self) -> io::Result<bool> {
+        match self.place {
+            Place::Disk => Ok(std::fs::metadata(self.name)?.is_file()),
+            Place::Bytes(_) => Ok(true),
+            Place::Memory(files) => match files.read(self.name) {
+                Ok(_) => Ok(true),
+                Err(error) if error.kind() == io::ErrorKind::IsADirectory => Ok(false),
+                Err(error) => Err(error),
+            },
+        }
+    }
+
+    /// Returns whether the source is a folder.
+    pub(crate) fn is_folder(&self) -> bool {
+        match self.place {
+            Place::Disk => self.name.is_dir(),
+            Place::Bytes(_) => false,
+            Place::Memory(files) => files.is_folder(self.name),
+        }
+    }
+
+    /// Reads the first `most` bytes, or all of them if there are fewer.
+    ///
+    /// # Errors
+    ///
+    /// When the file cannot be read.
+    pub fn start(&self, most: u64) -> io::Result<Vec<u8>> {
+        let mut bytes = Vec::new();
+        match self.held() {
+            Some(held) => held?.take(most).read_to_end(&mut bytes)?,
+            None => File::open(self.name)?.take(most).read_to_end(&mut bytes)?,
+        };
+        Ok(bytes)
+    }
+
+    /// Returns the names of the entries of the folder that this source names, in no order. Bytes alone are no
+    /// folder.
+    pub(crate) fn entries(&self, most: usize) -> io::Result<Vec<OsString>> {
+        match self.place {
+            Place::Disk => {
+                let here = if self.name.as_os_str().is_empty() { Path::new(".") } else { self.name };
+                let entries = std::fs::read_dir(here)?.take(most);
+                entries.map(|entry| Ok(entry?.file_name())).collect()
+            }
+            Place::Bytes(_) => Err(io::ErrorKind::NotADirectory.into()),
+            Place::Memory(files) => files.entries(self.name, most),
+        }
+    }
+
+    /// Returns the path that names this folder itself, for messages: on disk without links and `..`.
+    pub(crate) fn real_name(&self) -> PathBuf {
+        match self.place {
+            Place::Disk => self.name.canonicalize().unwrap_or_else(|_| self.name.to_owned()),
+            Place::Bytes(_) | Place::Memory(_) => self.name.to_owned(),
+        }
+    }
+
+    /// Returns the path of a sidecar file with the name of this file and one more extension, if it
+    /// exists. Bytes alone have no sidecars.
+    pub(crate) fn beside(&self, extension: &str) -> Option<PathBuf> {
         let mut name = self.name.file_name()?.to_owned();
         name.push(".");
         name.push(extension);
-        Some(self.name.with_file_name(name)).filter(|path| path.is_file())
+        self.existing(self.name.with_file_name(name))
     }
 
     /// Returns the path of a sidecar file with this file's name and another extension, if it
     /// exists.
     pub(crate) fn in_place(&self, extension: &str) -> Option<PathBuf> {
-        if self.bytes.is_some() {
-            return None;
-        }
-        Some(self.name.with_extension(extension)).filter(|path| path != self.name && path.is_file())
+        self.existing(self.name.with_extension(extension)).filter(|path| path != self.name)
     }
 
-    /// Returns the file's folder, empty for the current one. Bytes in memory have none.
+    /// Returns a path in the same place, if a file is there.
+    fn existing(&self, path: PathBuf) -> Option<PathBuf> {
+        let is_file = self.with_name(&path).is_file().is_ok_and(|is_file| is_file);
+        is_file.then_some(path)
+    }
+
+    /// Returns the file's folder, empty for the current one. Bytes alone have none.
     pub(crate) fn folder(&self) -> Option<&'a Path> {
-        if self.bytes.is_some() { None } else { Some(self.name.parent().unwrap_or(Path::new(""))) }
+        match self.place {
+            Place::Bytes(_) => None,
+            Place::Disk | Place::Memory(_) => Some(self.name.parent().unwrap_or(Path::new(""))),
+        }
+    }
+
+    /// Returns whether links may lead from this place to files elsewhere.
+    pub(crate) fn has_links(&self) -> bool {
+        matches!(self.place, Place::Disk)
     }
 
     /// Returns all bytes, at least one. `take` gets the length before memory is allocated; bytes in
@@ -78,15 +180,29 @@ impl<'a> Source<'a> {
         take: impl FnOnce(u64) -> Result<(), ReadProblem>,
     ) -> Result<Cow<'a, [u8]>, ReadProblem> {
         let (reader, len) = self.open()?;
-        if let Some(bytes) = self.bytes {
-            return Ok(Cow::Borrowed(bytes));
-        }
+        let reader = match reader {
+            SourceReader::Memory(bytes) => return Ok(Cow::Borrowed(bytes.into_inner())),
+            SourceReader::File(reader) => reader,
+        };
         take(len)?;
         let mut bytes = Vec::new();
         let capacity = usize::try_from(len).unwrap_or(usize::MAX);
         bytes.try_reserve_exact(capacity).map_err(|_| ReadProblem::OutOfMemory { needed: len })?;
         reader.take(len).read_to_end(&mut bytes)?;
         Ok(Cow::Owned(bytes))
+    }
+
+    /// Returns all bytes of another file in the same place, like [`Self::whole`].
+    pub(crate) fn whole_of(
+        self,
+        name: &Path,
+        take: impl FnOnce(u64) -> Result<(), ReadProblem>,
+    ) -> Result<Cow<'a, [u8]>, ReadProblem> {
+        let Place::Memory(files) = self.place else {
+            return Ok(Cow::Owned(self.with_name(name).whole(take)?.into_owned()));
+        };
+        let bytes = files.read(name)?;
+        if bytes.is_empty() { Err(ReadProblem::Empty) } else { Ok(Cow::Borrowed(bytes)) }
     }
 
     /// Creates the error of a problem with this source.
@@ -96,8 +212,14 @@ impl<'a> Source<'a> {
 
     /// Opens the source, and returns its length in bytes, which is not 0.
     pub(crate) fn open(self) -> Result<(SourceReader<'a>, u64), ReadProblem> {
-        let (reader, len) = match self.bytes {
-            Some(bytes) => (SourceReader::Memory(Cursor::new(bytes)), bytes.len() as u64),
+        let (reader, len) = match self.held() {
+            Some(held) => {
+                let bytes = held.map_err(|error| match error.kind() {
+                    io::ErrorKind::IsADirectory => ReadProblem::Folder,
+                    _ => ReadProblem::Io(error),
+                })?;
+                (SourceReader::Memory(Cursor::new(bytes)), bytes.len() as u64)
+            }
             None => {
                 let kind = std::fs::metadata(self.name)?;
                 if kind.is_dir() {
@@ -118,17 +240,26 @@ impl<'a> Source<'a> {
         }
         Ok((reader, len))
     }
+
+    /// Returns the bytes of a source in memory, or the error that it does not exist; `None` on disk.
+    fn held(&self) -> Option<io::Result<&'a [u8]>> {
+        match self.place {
+            Place::Disk => None,
+            Place::Bytes(bytes) => Some(Ok(bytes)),
+            Place::Memory(files) => Some(files.read(self.name)),
+        }
+    }
 }
 
 impl<'a, P: AsRef<Path> + ?Sized> From<&'a P> for Source<'a> {
     fn from(path: &'a P) -> Self {
-        Self { name: path.as_ref(), bytes: None }
+        Self { name: path.as_ref(), place: Place::Disk }
     }
 }
 
 impl fmt::Debug for Source<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let len = self.bytes.map(<[u8]>::len);
+        let len = self.held().and_then(Result::ok).map(<[u8]>::len);
         f.debug_struct("Source").field("name", &self.name).field("len", &len).finish()
     }
 }

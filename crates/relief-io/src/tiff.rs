@@ -145,7 +145,7 @@ impl<'a> TiffFile<'a> {
     pub(crate) fn decode_mask(&self, channel: usize, sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
         let beside = if self.mask.is_none() { self.source.beside(MASK_EXTENSION) } else { None };
         let (source, name) = match (&beside, self.mask) {
-            (Some(path), _) => (Source::from(path), path.display().to_string()),
+            (Some(path), _) => (self.source.with_name(path), path.display().to_string()),
             (None, Some(_)) => (self.source, "inside the file".to_owned()),
             (None, None) => return Ok(()),
         };

@@ -1,7 +1,6 @@
 //! Writers of pictures and float channels in one call, from samples in memory.
 
-use std::fs::File;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 use std::path::Path;
 
 use png::{BitDepth, ColorType, Encoder, EncodingError, SrgbRenderingIntent};
@@ -91,7 +90,7 @@ pub fn write_png16(path: &Path, width: u32, height: u32, samples: &[u16]) -> Res
 /// Writes a PNG from encoded bytes, with metadata in `iTXt` chunks before them; `is_srgb` marks it
 /// as sRGB.
 pub(crate) fn write_png(
-    out: &mut BufWriter<&File>,
+    out: impl Write,
     [width, height]: [u32; 2],
     colour: ColorType,
     depth: BitDepth,

@@ -1,13 +1,13 @@
 //! Motifs of files: meshes in the space of a tile, and vector displacement maps as sheets.
 
 use std::fmt;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::str::FromStr;
 
 use relief_core::ByteSize;
 use relief_core::mesh::RawMesh;
 use relief_core::registry::UnknownName;
-use relief_io::{MeshFormat, ReadError, VectorMap, read_motif_depth, read_raw_mesh, read_vector_map};
+use relief_io::{MeshFormat, ReadError, Source, VectorMap, read_motif_depth, read_raw_mesh, read_vector_map};
 use relief_mesh::motif::{VectorSheet, VectorSheetError, vector_sheet};
 
 /// Metres between the heights 0 and 1 of a mesh, where neither the caller nor its file says more.
@@ -148,7 +148,12 @@ pub enum MotifProblem {
 /// # Errors
 ///
 /// When the file cannot be read, is another kind of map, or needs more memory than is allowed.
-pub fn read_motif(path: &Path, options: &MotifOptions) -> Result<MotifFile, MotifFileError> {
+pub fn read_motif<'a>(
+    source: impl Into<Source<'a>>,
+    options: &MotifOptions,
+) -> Result<MotifFile, MotifFileError> {
+    let source = source.into();
+    let path = source.name();
     let of_file = |problem: MotifProblem| MotifFileError::Invalid { path: path.to_owned(), problem };
     let MotifOptions { axes, tile_m, scale_m, max_bytes } = *options;
     let tile_length_m = (tile_m[0] * tile_m[1]).sqrt();
@@ -156,13 +161,13 @@ pub fn read_motif(path: &Path, options: &MotifOptions) -> Result<MotifFile, Moti
         if axes.is_some() {
             return Err(of_file(MotifProblem::AxesOfMesh));
         }
-        let mesh = read_raw_mesh(path, max_bytes)?;
+        let mesh = read_raw_mesh(source, max_bytes)?;
         // As deep as it is long.
-        let depth = read_motif_depth(path, max_bytes)?;
+        let depth = read_motif_depth(source, max_bytes)?;
         let unit_m = scale_m.or(depth.map(|depth| depth * tile_length_m)).unwrap_or(DEFAULT_SCALE_M);
         return Ok(MotifFile { mesh, scale_m: unit_m, low_m: 0.0, unit_m, axes: None, is_coarse: false });
     }
-    let map = read_vector_map(path, max_bytes)?;
+    let map = read_vector_map(source, max_bytes)?;
     let (axes, unit_m) = (axes.unwrap_or_default(), scale_m.unwrap_or(tile_length_m));
     let is_coarse = map.most == Some(COARSE);
     let sheet = sheet(map, axes, tile_m, unit_m, max_bytes).map_err(of_file)?;

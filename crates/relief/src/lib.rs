@@ -79,10 +79,9 @@
 //!
 //! # On the web
 //!
-//! Everything compiles for `wasm32-unknown-unknown`. Read files as bytes, keep maps in memory, and draw on a
-//! GPU with the functions that are `async`. Two things panic there: ray casting ([`raycast`], and with it the
-//! CPU backend and heights between meshes), which asks the system's clock while it builds its tree, and the
-//! functions that wait for a GPU, [`Gpu::new`](render::gpu::Gpu::new),
+//! Everything compiles for `wasm32-unknown-unknown`. Keep files in memory ([`io::Files`]), and baked maps, too.
+//! Draw on the CPU in one thread, with the same hits to the last bit, or on a GPU with the functions that are
+//! `async`. What panics there are the functions that wait for a GPU, [`Gpu::new`](render::gpu::Gpu::new),
 //! [`GpuRenderer::render`](render::gpu::GpuRenderer::render) and [`block_on`](render::gpu::block_on).
 
 pub use glam;

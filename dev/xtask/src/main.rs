@@ -1,6 +1,6 @@
 //! Developer commands: `cargo xtask link` writes the linked shaders, `cargo xtask data` the sample maps,
-//! `cargo xtask guide` the guide's pictures, `cargo xtask dist` a release; `cargo xtask web-test` uses the page of
-//! `relief view` in a browser, `cargo xtask words` counts words.
+//! `cargo xtask guide` the guide's pictures, `cargo xtask dist` a release, `cargo xtask web` the module for the web;
+//! `cargo xtask web-test` uses the page of `relief view` in a browser, `cargo xtask words` counts words.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -12,6 +12,7 @@ mod dist;
 mod guide;
 mod link;
 mod output;
+mod web;
 mod web_test;
 mod words;
 
@@ -42,6 +43,13 @@ enum Command {
         /// Folder for archive and checksum [default: target/dist].
         #[arg(short, long)]
         output: Option<PathBuf>,
+    },
+    /// Build the viewer as a module for the web into target/web-module, and print its size. With --check, build it
+    /// quickly, and compare what it renders in Node with what relief renders.
+    Web {
+        /// Program to compare with [default: relief, built in the profile of xtask].
+        #[arg(long)]
+        relief: Option<PathBuf>,
     },
     /// Use the page of `relief view` in headless Chromium, as a person does.
     WebTest {
@@ -78,6 +86,10 @@ fn main() -> ExitCode {
         Command::Data => data::files(&root).and_then(settle),
         Command::Guide { relief } => guide::settle(&root, relief.as_deref(), arguments.check),
         Command::Dist { output } => dist::make(&root, output.as_deref()),
+        Command::Web { relief } => match arguments.check {
+            true => web::check(&root, relief.as_deref()),
+            false => web::make(&root),
+        },
         Command::WebTest { relief, browser, only } => {
             web_test::run(&root, relief.as_deref(), &browser, only.as_deref())
         }

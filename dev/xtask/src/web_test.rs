@@ -37,7 +37,7 @@ fn found(program: &Path) -> Result<PathBuf, String> {
         .ok_or_else(|| format!("{}: there is no such program: give it by --browser", program.display()))
 }
 
-fn succeed(command: &mut Command) -> Result<(), String> {
+pub fn succeed(command: &mut Command) -> Result<(), String> {
     let name = command.get_program().to_string_lossy().into_owned();
     let status = command.status().map_err(|error| format!("{name}: {error}"))?;
     if status.success() { Ok(()) } else { Err(format!("{name}: it failed ({status})")) }

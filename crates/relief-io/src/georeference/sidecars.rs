@@ -32,7 +32,7 @@ fn read(source: Source<'_>, max_bytes: u64, layout: &mut Layout) -> Result<(), S
     let own_system = facts.crs.is_some();
     if let Some(path) = source.beside("aux.xml") {
         let of = |what: String| format!("{} {what}", name(&path));
-        let text = text(&path, MAX_XML_BYTES.min(max_bytes)).map_err(of)?;
+        let text = text(source.with_name(&path), MAX_XML_BYTES.min(max_bytes)).map_err(of)?;
         let pam = pam::read(&text, &name(&path), size, layout.channels.len()).map_err(of)?;
         if let Some(grid) = pam.grid {
             (facts.grid, facts.grid_from, found) = (Some(grid), Some(name(&path)), true);
@@ -59,7 +59,8 @@ fn read(source: Source<'_>, max_bytes: u64, layout: &mut Layout) -> Result<(), S
         && let Some(path) = world_files(source).into_iter().find_map(|name| source.in_place(&name))
     {
         let of = |what: String| format!("{} {what}", name(&path));
-        let grid = text(&path, MAX_TEXT_BYTES.min(max_bytes)).and_then(|text| world_file::grid(&text, size));
+        let text = text(source.with_name(&path), MAX_TEXT_BYTES.min(max_bytes));
+        let grid = text.and_then(|text| world_file::grid(&text, size));
         (facts.grid, facts.grid_from, found) = (Some(grid.map_err(of)?), Some(name(&path)), true);
     }
     if facts.grid.is_some()
@@ -67,7 +68,7 @@ fn read(source: Source<'_>, max_bytes: u64, layout: &mut Layout) -> Result<(), S
         && let Some(path) = ["prj", "PRJ"].into_iter().find_map(|extension| source.in_place(extension))
     {
         let of = |what: String| format!("{} {what}", name(&path));
-        let text = text(&path, MAX_TEXT_BYTES.min(max_bytes)).map_err(of)?;
+        let text = text(source.with_name(&path), MAX_TEXT_BYTES.min(max_bytes)).map_err(of)?;
         (facts.crs, found) = (Some(wkt::system(&text, &name(&path)).map_err(of)?), true);
     }
     if facts.grid.is_none() && !own_system {
@@ -97,9 +98,9 @@ fn name(path: &Path) -> String {
 }
 
 /// Reads the text of a file of at most `max_bytes` bytes.
-fn text(path: &Path, max_bytes: u64) -> Result<String, String> {
+fn text(source: Source<'_>, max_bytes: u64) -> Result<String, String> {
     let mut too_long = None;
-    let bytes = Source::from(path).whole(|len| match len {
+    let bytes = source.whole(|len| match len {
         len if len > max_bytes => {
             too_long = Some(format!("holds {len} bytes, but at most {max_bytes} are read"));
             Err(crate::ReadProblem::OutOfMemory { needed: len })

@@ -153,8 +153,9 @@ pub struct MeshFile {
 /// file's nodes and weights; animations are not played. A vertex whose weights add up to 0 follows
 /// its first joint. Compressed meshes are refused.
 ///
-/// Files that a glTF refers to must be in its folder or below. Bytes in memory have no folder: all
-/// their buffers must be in the file itself.
+/// Files that a glTF refers to must be in its folder or below, on disk or among the
+/// [`MemoryFiles`](crate::MemoryFiles). Bytes alone have no folder: all their buffers must be in the
+/// file itself.
 ///
 /// # Memory
 ///
@@ -251,10 +252,9 @@ pub fn mesh_needs_roughness<'a>(source: impl Into<Source<'a>>, max_bytes: u64) -
 /// # Errors
 ///
 /// When the file does not exist, or is not in that folder or below, after links are followed.
-pub fn beside_file(naming: &Path, name: &Path) -> Result<PathBuf, ReadError> {
-    let folder = naming.parent().unwrap_or(Path::new(""));
-    let place = folder::inside(folder, name, &name.to_string_lossy());
-    place.map_err(|problem| Source::from(naming).error(problem))
+pub fn beside_file<'a>(naming: impl Into<Source<'a>>, name: &Path) -> Result<PathBuf, ReadError> {
+    let naming = naming.into();
+    folder::inside(naming, name, &name.to_string_lossy()).map_err(|problem| naming.error(problem))
 }
 
 /// Reads the raw content of a mesh's file. Unlike [`read_mesh`], neither normals nor texture

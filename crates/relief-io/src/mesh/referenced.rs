@@ -1,8 +1,7 @@
 //! Files that a mesh's file refers to.
 
 use std::fmt;
-use std::fs::File;
-use std::io::{self, BufReader, Cursor, Read};
+use std::io::{self, Cursor, Read};
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
@@ -12,6 +11,7 @@ use super::MeshFormat;
 use super::gltf::buffers::relative;
 use super::gltf::container::json_len;
 use super::gltf::extras::BEFORE_JSON;
+use crate::{ReadProblem, Source};
 
 /// Lists the files that a mesh's file refers to: the buffers and pictures of a glTF, whether or not
 /// they are used or exist. The list is empty if the file cannot be read, is damaged, or contains
@@ -20,29 +20,27 @@ use super::gltf::extras::BEFORE_JSON;
 /// Only the names are held in memory.
 ///
 /// ```no_run
-/// let files = relief_io::files_of_mesh("tree.gltf".as_ref());
+/// let files = relief_io::files_of_mesh("tree.gltf");
 /// assert!(files.contains(&"bark.png".into()));
 /// ```
-pub fn files_of_mesh(path: &Path) -> Vec<PathBuf> {
-    match MeshFormat::by_name(path) {
-        Some(MeshFormat::Gltf) => of_gltf(path).unwrap_or_default(),
+pub fn files_of_mesh<'a>(source: impl Into<Source<'a>>) -> Vec<PathBuf> {
+    let source = source.into();
+    match MeshFormat::by_name(source.name()) {
+        Some(MeshFormat::Gltf) => of_gltf(source).unwrap_or_default(),
         _ => Vec::new(),
     }
 }
 
-fn of_gltf(path: &Path) -> io::Result<Vec<PathBuf>> {
-    // A pipe would block.
-    if !std::fs::metadata(path)?.is_file() {
-        return Ok(Vec::new());
-    }
-    let mut reader = BufReader::new(File::open(path)?);
+fn of_gltf(source: Source<'_>) -> Result<Vec<PathBuf>, ReadProblem> {
+    let (mut reader, _) = source.open()?;
     let mut head = Vec::new();
     reader.by_ref().take(BEFORE_JSON as u64).read_to_end(&mut head)?;
-    let document: Document = match json_len(&head) {
-        Some(json) => serde_json::from_reader(reader.take(json))?,
-        None => serde_json::from_reader(Cursor::new(head).chain(reader))?,
+    let document: serde_json::Result<Document> = match json_len(&head) {
+        Some(json) => serde_json::from_reader(reader.take(json)),
+        None => serde_json::from_reader(Cursor::new(head).chain(reader)),
     };
-    let folder = path.parent().unwrap_or(Path::new(""));
+    let document = document.map_err(io::Error::from)?;
+    let folder = source.folder().unwrap_or(Path::new(""));
     let parts = document.buffers.into_iter().chain(document.images);
     let names = parts.filter_map(|part| relative(&part.uri.0?));
     Ok(names.map(|name| folder.join(name)).collect())

@@ -1,7 +1,6 @@
 //! Writer of EXR with any named float channels, and metadata in one string attribute.
 
-use std::fs::File;
-use std::io::{self, BufWriter};
+use std::io::{self, Seek, Write};
 use std::path::Path;
 
 use exr::block::UncompressedBlock;
@@ -66,13 +65,28 @@ pub fn write_exr_lines(
     write_file(path, |out| write_exr_lines_of(out, size, names, metadata, false, lines))
 }
 
+/// Writes the bytes of the file of [`write_exr_lines`].
+///
+/// # Errors
+///
+/// See [`write_exr_lines`].
+pub fn encode_exr_lines(
+    out: &mut (impl Write + Seek),
+    size: [u32; 2],
+    names: &[&str],
+    metadata: &Metadata,
+    lines: impl FnOnce(&mut LineSink) -> io::Result<()>,
+) -> Result<(), WriteProblem> {
+    write_exr_lines_of(out, size, names, metadata, false, lines)
+}
+
 /// Primaries and white point of sRGB (IEC 61966-2-1).
 const SRGB: [(f32, f32); 4] = [(0.64, 0.33), (0.3, 0.6), (0.15, 0.06), (0.3127, 0.329)];
 
 /// Writes the bytes of an EXR file. With `is_picture` its channels are colours in the primaries of
 /// sRGB.
 pub(crate) fn write_exr_lines_of(
-    out: &mut BufWriter<&File>,
+    out: &mut (impl Write + Seek),
     [width, height]: [u32; 2],
     names: &[&str],
     metadata: &Metadata,
@@ -121,7 +135,7 @@ fn check_names(names: &[&str], order: &[usize]) -> Result<(), WriteProblem> {
 }
 
 fn write_blocks(
-    out: &mut BufWriter<&File>,
+    out: &mut (impl Write + Seek),
     header: Header,
     [width, height]: [u32; 2],
     order: &[usize],

@@ -14,7 +14,7 @@ use std::io;
 
 pub use self::dds::write_dds;
 pub(crate) use self::exr::write_exr_lines_of;
-pub use self::exr::{write_exr_lines, write_exr_rows};
+pub use self::exr::{encode_exr_lines, write_exr_lines, write_exr_rows};
 pub use self::metadata::Metadata;
 pub use self::png::{PngTexture, write_png_colours, write_png_rows};
 pub use self::read_metadata::read_metadata;

@@ -12,7 +12,6 @@ mod tests;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 pub use self::error::TextureSetError;
@@ -23,7 +22,7 @@ pub(crate) use self::names::is_height_word;
 use self::choose::{Candidate, choose};
 use self::error::MOST_ENTRIES;
 use self::file_name::{FileName, RESOLUTION_OR_TILE};
-use crate::{Format, GreenSign};
+use crate::{Format, GreenSign, Source};
 
 /// Most pictures without a role that an error names.
 const MOST_UNNAMED: usize = 4;
@@ -201,12 +200,18 @@ impl TextureSet {
 /// assert_eq!(normals.green, Some(GreenSign::PlusY));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn find_textures(folder: &Path, udim: Option<u32>) -> Result<TextureSet, TextureSetError> {
+pub fn find_textures<'a>(
+    folder: impl Into<Source<'a>>,
+    udim: Option<u32>,
+) -> Result<TextureSet, TextureSetError> {
+    let source = folder.into();
+    let folder = source.name();
     let mut left = Vec::new();
     let mut files = Vec::new();
     let mut has_picture = false;
-    for path in entries(folder)? {
-        let format = Format::by_name(&path).filter(|format| *format != Format::Raw && path.is_file());
+    for path in entries(source)? {
+        let is_file = || source.with_name(&path).is_file().is_ok_and(|is_file| is_file);
+        let format = Format::by_name(&path).filter(|format| *format != Format::Raw && is_file());
         let name = path.file_stem().and_then(|stem| FileName::read(&stem.to_string_lossy()));
         has_picture |= format.is_some();
         match (format, name) {
@@ -218,7 +223,7 @@ pub fn find_textures(folder: &Path, udim: Option<u32>) -> Result<TextureSet, Tex
     if !has_picture {
         return Err(TextureSetError::NoPicture { folder: folder.to_owned() });
     }
-    let name = name_of_set(folder, &files)?;
+    let name = name_of_set(source, &files)?;
     let files = files_of_tile(folder, files, udim, &mut left)?;
     let textures = choose(files, &mut left);
     left.sort_by(|(one, _), (other, _)| one.cmp(other));
@@ -246,37 +251,34 @@ pub fn material_name(path: &Path) -> String {
 }
 
 /// Returns the entries of a folder that are neither folders nor hidden, in the order of their names.
-fn entries(folder: &Path) -> Result<Vec<PathBuf>, TextureSetError> {
-    let of_folder = |source| TextureSetError::Folder { folder: folder.to_owned(), source };
-    let here = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    let mut paths = Vec::new();
-    for (before, entry) in fs::read_dir(here).map_err(of_folder)?.enumerate() {
-        if before == MOST_ENTRIES {
-            return Err(TextureSetError::TooMany { folder: folder.to_owned() });
-        }
-        let name = entry.map_err(of_folder)?.file_name();
-        let path = folder.join(&name);
-        if !name.to_string_lossy().starts_with('.') && !path.is_dir() {
-            paths.push(path);
-        }
+fn entries(source: Source<'_>) -> Result<Vec<PathBuf>, TextureSetError> {
+    let folder = source.name();
+    let names = source.entries(MOST_ENTRIES + 1);
+    let mut names = names.map_err(|source| TextureSetError::Folder { folder: folder.to_owned(), source })?;
+    if names.len() > MOST_ENTRIES {
+        return Err(TextureSetError::TooMany { folder: folder.to_owned() });
     }
+    names.retain(|name| !name.to_string_lossy().starts_with('.'));
+    let mut paths: Vec<PathBuf> = names.into_iter().map(|name| folder.join(name)).collect();
+    paths.retain(|path| !source.with_name(path).is_folder());
     paths.sort();
     Ok(paths)
 }
 
 /// Returns the name that all files share.
-fn name_of_set(folder: &Path, files: &[Candidate]) -> Result<String, TextureSetError> {
+fn name_of_set(source: Source<'_>, files: &[Candidate]) -> Result<String, TextureSetError> {
     let mut names: BTreeMap<&str, &str> = BTreeMap::new();
     for FileName { key, stem, .. } in files.iter().map(|file| &file.name) {
         if !key.is_empty() {
             names.entry(key).or_insert(stem);
         }
     }
-    let several = |names: Vec<String>| TextureSetError::SeveralSets { folder: folder.to_owned(), names };
+    let folder = source.name().to_owned();
+    let several = |names: Vec<String>| TextureSetError::SeveralSets { folder: folder.clone(), names };
     if names.len() > 1 {
         return Err(several(names.into_values().map(str::to_owned).collect()));
     }
-    let folder_name = || file_name(&folder.canonicalize().unwrap_or_else(|_| folder.to_owned()));
+    let folder_name = || file_name(&source.real_name());
     let name = names.into_values().next().map_or_else(folder_name, str::to_owned);
     // What follows the role tells copies of one file apart, or sets, as in `T_Sand_BC_01`.
     let mut roles: BTreeMap<&str, BTreeSet<TextureRole>> = BTreeMap::new();

@@ -1,6 +1,7 @@
 //! Names of real sets, and of folders that are none.
 
 use std::error::Error;
+use std::fs;
 
 use tempfile::TempDir;
 

@@ -6,9 +6,10 @@ use crate::common::broken::{BrokenFile, broken_files, flipped, valid_files};
 use crate::common::tiff_file::Tiff;
 use crate::common::{Folder, Random};
 use relief_io::{
-    Convention, DEFAULT_MAX_BYTES, GreenSign, HeightNote, HeightOptions, Ktx2Texture, PngTexture, ReadError,
-    ReadProblem, Row, Source, TexelFormat, inspect, read_height, read_ktx2, read_metadata, read_normal_map,
-    read_normal_vectors, read_picture, read_vector_map, write_exr_rows, write_ktx2, write_png_rows,
+    Convention, DEFAULT_MAX_BYTES, Files, GreenSign, HeightNote, HeightOptions, Ktx2Texture, MemoryFiles,
+    PngTexture, ReadError, ReadProblem, Row, Source, TexelFormat, inspect, read_height, read_ktx2,
+    read_metadata, read_normal_map, read_normal_vectors, read_picture, read_vector_map, write_exr_rows,
+    write_ktx2, write_png_rows,
 };
 
 /// Flips of bits a valid file.
@@ -41,14 +42,17 @@ fn answers(source: Source<'_>, options: &HeightOptions) -> [String; 8] {
 
 fn assert_same(name: &str, path: &Path, bytes: &[u8], options: &HeightOptions) {
     let from_file = answers(path.into(), options);
-    for (reader, (from_file, from_bytes)) in
-        from_file.iter().zip(answers(Source::bytes(path, bytes), options)).enumerate()
-    {
+    let mut memory = MemoryFiles::new();
+    memory.insert(path, bytes).expect("a path");
+    let files = Files::Memory(memory);
+    let from_memory = [Source::bytes(path, bytes), files.source(path)].map(|source| answers(source, options));
+    let each = from_memory.iter().flat_map(|answers| from_file.iter().zip(answers).enumerate());
+    for (reader, (from_file, from_bytes)) in each {
         let start = |text: &str| text.chars().take(200).collect::<String>();
         assert!(
-            *from_file == from_bytes,
+            *from_file == *from_bytes,
             "{name}, reader {reader}: {}, not {}",
-            start(&from_bytes),
+            start(from_bytes),
             start(from_file)
         );
     }

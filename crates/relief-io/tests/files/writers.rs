@@ -1,12 +1,13 @@
 //! Written files are read back unchanged; failed writes leave nothing.
 
-use std::io::Write;
+use std::io::{Cursor, Write};
 use std::path::Path;
 
 use crate::common::{Folder, channel};
 use relief_io::{
-    DEFAULT_MAX_BYTES, HeightOptions, PngColour, WriteProblem, read_height, read_picture, write_atomically,
-    write_exr, write_png8, write_png16,
+    DEFAULT_MAX_BYTES, HeightOptions, LineSink, Metadata, PictureFormat, PictureSink, PngColour,
+    WriteProblem, encode_exr_lines, encode_picture, read_height, read_picture, write_atomically, write_exr,
+    write_exr_lines, write_picture, write_png8, write_png16,
 };
 
 fn entries(folder: &Path) -> Vec<String> {
@@ -161,4 +162,37 @@ fn files_get_the_usual_permissions() {
     write_atomically(&path, |_| Ok(())).expect("the folder is writable");
     let mode = |path: &Path| std::fs::metadata(path).expect("it is there").permissions().mode();
     assert_eq!(mode(&path), mode(&usual));
+}
+
+#[test]
+fn encoded_bytes_are_those_of_the_file() {
+    let folder = Folder::new();
+    let path = folder.path().join("picture");
+    let size = [37, 21];
+    let value = |x: u32, y: u32| ((x * 7 + y * 13) % 97) as f32 / 96.0;
+    let rows = |sink: &mut PictureSink<'_>| {
+        (0..size[1]).try_for_each(|y| {
+            let row: Vec<[f32; 3]> = (0..size[0]).map(|x| [value(x, y), value(y, x), 0.25]).collect();
+            sink(&row)
+        })
+    };
+    for format in [PictureFormat::Png8, PictureFormat::Png16, PictureFormat::Exr, PictureFormat::Jpeg] {
+        write_picture(&path, size, format, rows).expect("the folder is writable");
+        let mut bytes = Cursor::new(Vec::new());
+        encode_picture(&mut bytes, size, format, rows).expect("memory is there");
+        assert!(std::fs::read(&path).expect("it was written") == bytes.into_inner(), "{format:?}");
+        let short = encode_picture(&mut Cursor::new(Vec::new()), size, format, |_| Ok(()));
+        assert!(short.is_err(), "{format:?}");
+    }
+    let lines = |sink: &mut LineSink<'_>| {
+        (0..size[1]).try_for_each(|y| {
+            let line: Vec<f32> = (0..size[0]).map(|x| value(x, y)).collect();
+            sink(&[&line, &line])
+        })
+    };
+    let metadata = Metadata::default();
+    write_exr_lines(&path, size, &["b", "a"], &metadata, lines).expect("the folder is writable");
+    let mut bytes = Cursor::new(Vec::new());
+    encode_exr_lines(&mut bytes, size, &["b", "a"], &metadata, lines).expect("memory is there");
+    assert_eq!(std::fs::read(&path).expect("it was written"), bytes.into_inner());
 }

@@ -1,7 +1,6 @@
 //! Parser of `object.toml`.
 
-use std::fs::File;
-use std::io::{self, Read};
+use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -9,7 +8,7 @@ use glam::DVec3;
 use relief_core::HeightMap;
 use relief_core::object::{JumpCells, MAX_VIEWS};
 use relief_core::registry::UnknownName;
-use relief_io::decode_text;
+use relief_io::{Source, decode_text};
 use serde::Deserialize;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer};
@@ -125,8 +124,9 @@ fn wrong(at: usize, problem: impl Into<ObjectFileProblem>) -> Mistake {
 /// When the file cannot be read, is longer than 1 MiB, is not TOML, lacks a key or has an unknown
 /// one. Also when there are no views or too many, a view is impossible, or rectangles are empty or
 /// overlap. Errors name the line and the view.
-pub fn read_description(path: &Path) -> Result<Description, ObjectFileError> {
-    parse_description(&read_text(path)?, path)
+pub fn read_description<'a>(source: impl Into<Source<'a>>) -> Result<Description, ObjectFileError> {
+    let source = source.into();
+    parse_description(&read_text(source)?, source.name())
 }
 
 /// Parses the text of an object's file like [`read_description`]. `path` is used in errors and need
@@ -146,8 +146,9 @@ pub fn parse_description(text: &str, path: &Path) -> Result<Description, ObjectF
 ///
 /// As [`read_description`]. Whether a view is possible is not checked, since that depends on the
 /// ball.
-pub fn read_views(path: &Path) -> Result<Vec<ViewSpec>, ObjectFileError> {
-    let text = read_text(path)?;
+pub fn read_views<'a>(source: impl Into<Source<'a>>) -> Result<Vec<ViewSpec>, ObjectFileError> {
+    let source = source.into();
+    let text = read_text(source)?;
     let read = || -> Result<Vec<ViewSpec>, Mistake> {
         let root = checked(&text)?;
         let Views { kind, view } = Views::deserialize(Deserializer::from(root))?;
@@ -155,7 +156,7 @@ pub fn read_views(path: &Path) -> Result<Vec<ViewSpec>, ObjectFileError> {
         let specs = each(&view, |table, _| spec_of(table, kind))?;
         Ok(specs)
     };
-    read().map_err(|mistake| mistake.of(path, &text))
+    read().map_err(|mistake| mistake.of(source.name(), &text))
 }
 
 impl Mistake {
@@ -180,13 +181,12 @@ fn line_at(text: &str, place: usize) -> usize {
     text[..place].matches('\n').count() + 1
 }
 
-fn read_text(path: &Path) -> Result<String, ObjectFileError> {
+fn read_text(source: Source<'_>) -> Result<String, ObjectFileError> {
     let read = || {
-        if !std::fs::metadata(path)?.is_file() {
+        if !source.is_file()? {
             return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is not a file"));
         }
-        let mut bytes = Vec::new();
-        File::open(path)?.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes)?;
+        let bytes = source.start(MAX_FILE_BYTES + 1)?;
         if bytes.len() as u64 > MAX_FILE_BYTES {
             return Err(io::Error::new(
                 io::ErrorKind::FileTooLarge,
@@ -196,7 +196,7 @@ fn read_text(path: &Path) -> Result<String, ObjectFileError> {
         let no_text = || io::Error::new(io::ErrorKind::InvalidData, "it is not a text file, as objects are");
         decode_text(bytes).ok_or_else(no_text)
     };
-    read().map_err(|source| ObjectFileError::Io { path: path.to_owned(), source })
+    read().map_err(|error| ObjectFileError::Io { path: source.name().to_owned(), source: error })
 }
 
 /// Parses the text's table and checks that it has no unknown keys.

@@ -10,7 +10,7 @@ use glam::DVec3;
 use relief_core::HeightMap;
 use relief_core::object::{AtlasLayout, DEFAULT_JUMP_TEXELS, ImageObject, JumpCells};
 use relief_io::{
-    DEFAULT_MAX_BYTES, GreenSign, NormalMap, Picture, beside_file, read_normal_map, read_picture,
+    DEFAULT_MAX_BYTES, GreenSign, NormalMap, Picture, Source, beside_file, read_normal_map, read_picture,
     read_stored_heights,
 };
 
@@ -102,8 +102,13 @@ const TEXEL_BYTES: [u64; 3] = [4, 16, 12];
 /// As [`read_description`]. Also when a picture cannot be read, lies outside the folder, or has
 /// another size than the depths. Also when a rectangle reaches beyond them, a depth is not from 0
 /// to 1, or the object takes more memory than allowed.
-pub fn read_object(path: &Path, options: &ObjectOptions) -> Result<ObjectFile, ObjectFileError> {
-    let description = read_description(path)?;
+pub fn read_object<'a>(
+    source: impl Into<Source<'a>>,
+    options: &ObjectOptions,
+) -> Result<ObjectFile, ObjectFileError> {
+    let source = source.into();
+    let path = source.name();
+    let description = read_description(source)?;
     let Description { centre, radius, ref views, measured, .. } = description;
     let in_file = |number: usize, problem: ObjectFileProblem| ObjectFileError::InFile {
         path: path.to_owned(),
@@ -124,8 +129,8 @@ pub fn read_object(path: &Path, options: &ObjectOptions) -> Result<ObjectFile, O
         needed,
         limit,
     })?;
-    let depth = beside_file(path, &description.depth)?;
-    let atlas = read_stored_heights(&depth, left)?;
+    let depth = beside_file(source, &description.depth)?;
+    let atlas = read_stored_heights(source.with_name(&depth), left)?;
     let depth_size = [atlas.width(), atlas.height()];
     for (number, view) in views.iter().enumerate() {
         let [x, y, width, height] = view.rect.map(u64::from);
@@ -157,16 +162,16 @@ pub fn read_object(path: &Path, options: &ObjectOptions) -> Result<ObjectFile, O
     };
     let mut color = None;
     if let Some(name) = &description.color {
-        let file = beside_file(path, name)?;
-        let picture = read_picture(&file, left)?;
+        let file = beside_file(source, name)?;
+        let picture = read_picture(source.with_name(&file), left)?;
         same_size(&file, [picture.width, picture.height])?;
         let texels = layout.pack_with_edges(|image, at| picture.texels[place(image, at)], [0.0; 4]);
         color = Some(Picture { width, height, texels });
     }
     let mut normal = None;
     if let Some(name) = &description.normal {
-        let file = beside_file(path, name)?;
-        let map = read_normal_map(&file, GreenSign::PlusY, left)?;
+        let file = beside_file(source, name)?;
+        let map = read_normal_map(source.with_name(&file), GreenSign::PlusY, left)?;
         same_size(&file, [map.width, map.height])?;
         let level = [0.0, 0.0, 1.0];
         let normals = layout.pack_with_edges(|image, at| map.normals[place(image, at)], level);

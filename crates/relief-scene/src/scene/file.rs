@@ -6,12 +6,11 @@
 use super::keys::keys_of;
 use super::{MaterialSpec, SceneError, SceneSpec, SurfaceSpec};
 use relief_core::registry::UnknownName;
-use relief_io::decode_text;
+use relief_io::{Source, decode_text};
 use relief_shaders::{AMBIENT, STAGES};
 use serde::Deserialize;
 use std::collections::BTreeMap;
-use std::fs::File;
-use std::io::{self, Read};
+use std::io;
 use std::ops::Range;
 use std::path::Path;
 use toml::Spanned;
@@ -33,8 +32,10 @@ const AMBIENT_COLOR: &str = "ambient-color";
 ///
 /// When the file cannot be read, is longer than 1 MiB, is not TOML, has an unknown key, or has a
 /// value that cannot be used. Errors in the file state their line.
-pub fn read_scene(path: &Path) -> Result<SceneSpec, SceneError> {
-    let text = read_text(path).map_err(|source| SceneError::Io { path: path.to_owned(), source })?;
+pub fn read_scene<'a>(source: impl Into<Source<'a>>) -> Result<SceneSpec, SceneError> {
+    let source = source.into();
+    let path = source.name();
+    let text = read_text(source).map_err(|source| SceneError::Io { path: path.to_owned(), source })?;
     parse_scene(&text, path)
 }
 
@@ -76,9 +77,8 @@ pub fn parse_values(text: &str, path: &Path) -> Result<SceneSpec, SceneError> {
     Ok(spec)
 }
 
-fn read_text(path: &Path) -> io::Result<String> {
-    let mut bytes = Vec::new();
-    File::open(path)?.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes)?;
+fn read_text(source: Source<'_>) -> io::Result<String> {
+    let bytes = source.start(MAX_FILE_BYTES + 1)?;
     if bytes.len() as u64 > MAX_FILE_BYTES {
         let what = "it is longer than 1 MiB, so it is no scene file";
         return Err(io::Error::new(io::ErrorKind::FileTooLarge, what));

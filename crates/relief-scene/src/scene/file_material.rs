@@ -143,7 +143,7 @@ impl<'a> FileMaterials<'a> {
     }
 
     /// Completes one of the file's materials with what is shown of its values and pictures.
-    pub fn complete(&mut self, drawn: &mut DrawnMaterial, maps: &mut Maps) -> Result<(), SceneError> {
+    pub fn complete(&mut self, drawn: &mut DrawnMaterial, maps: &mut Maps<'_>) -> Result<(), SceneError> {
         drawn.material = Some(self.material(drawn)?);
         if let Some((_, of_maps, normals)) =
             self.known.iter().find(|(values, ..)| Arc::ptr_eq(values, &drawn.values))

@@ -19,7 +19,7 @@ use glam::{DVec3, Vec3};
 use relief_core::ByteSize;
 use relief_core::camera::{Camera, CameraError, Projection};
 use relief_core::mesh::Builtin;
-use relief_io::ReadNote;
+use relief_io::{Files, ReadNote};
 use relief_shaders::{AMBIENT, LIGHT_FACES, STAGES, Selection};
 
 /// Bytes per pixel of the band of rows that is being rendered: results on the GPU, their copies,
@@ -87,20 +87,29 @@ impl SceneSpec {
     /// range, a method is not available, a file cannot be read, or maps and picture need more than
     /// `max_memory`. The last is detected before that memory is allocated.
     pub fn load(&self) -> Result<Scene, SceneError> {
-        let (whole, notes) = self.whole()?;
-        whole.load_whole(notes)
+        self.load_from(&Files::Disk)
+    }
+
+    /// Returns the complete scene like [`Self::load`], with its files from `files`.
+    ///
+    /// # Errors
+    ///
+    /// See [`Self::load`].
+    pub fn load_from(&self, files: &Files) -> Result<Scene, SceneError> {
+        let (whole, notes) = self.whole(files)?;
+        whole.load_whole(files, notes)
     }
 
     /// Returns the description with the files of folders of textures and the keys of mesh files, and notes on
     /// them.
-    pub(super) fn whole(&self) -> Result<(Self, Vec<ReadNote>), SceneError> {
+    pub(super) fn whole(&self, files: &Files) -> Result<(Self, Vec<ReadNote>), SceneError> {
         self.check_surfaces()?;
-        let (spec, notes) = self.with_texture_sets()?;
-        Ok((spec.with_keys_of_meshes()?, notes))
+        let (spec, notes) = self.with_texture_sets(files)?;
+        Ok((spec.with_keys_of(files)?, notes))
     }
 
     /// Loads a scene that is [whole](Self::whole), with notes on what was read before.
-    pub(super) fn load_whole(&self, mut notes: Vec<ReadNote>) -> Result<Scene, SceneError> {
+    pub(super) fn load_whole(&self, files: &Files, mut notes: Vec<ReadNote>) -> Result<Scene, SceneError> {
         let each = self.each_with_parts().collect::<Result<Vec<_>, _>>()?;
         // All else is known to be valid before any file is read.
         self.check()?;
@@ -113,7 +122,7 @@ impl SceneSpec {
             let size = self.pixels().unwrap_or(DEFAULT_SIZE);
             self.memory_beside_the_picture(beside_surfaces, size, asked, limit)?
         };
-        let mut maps = Maps::new(limit, left);
+        let mut maps = Maps::new(files, limit, left);
         let environment = match &self.environment {
             Some(path) => Some(maps.environment(path)?),
             None => None,

@@ -236,7 +236,7 @@ impl SurfaceSpec {
         surface: &Surface,
         samples: u32,
         context: &SceneContext,
-        maps: &mut Maps,
+        maps: &mut Maps<'_>,
     ) -> Result<Surface, SceneError> {
         let shadow = STAGES[SHADOW].first(Entry::is_idle).map(|(_, entry)| entry.name);
         // Nothing lies beside a block, so only other surfaces cast shadows on its walls.
@@ -297,9 +297,10 @@ impl SurfaceSpec {
     }
 
     /// Loads the surface of an object's file.
-    fn load_object(&self, path: &Path, parts: Parts, maps: &mut Maps) -> Result<Surface, SceneError> {
+    fn load_object(&self, path: &Path, parts: Parts, maps: &mut Maps<'_>) -> Result<Surface, SceneError> {
         let options = ObjectOptions { max_bytes: maps.left(), ..ObjectOptions::default() };
-        let ObjectFile { object, color, normal, .. } = relief_object::read_object(path, &options)?;
+        let ObjectFile { object, color, normal, .. } =
+            relief_object::read_object(maps.files().source(path), &options)?;
         maps.take(path, object.heights(), &parts.selection)?;
         let object = self.placed_object(&object)?;
         let surface = if parts.selection.blends_normals() && !object.has_solid() {
@@ -388,7 +389,7 @@ impl SurfaceSpec {
         &self,
         parts: Parts,
         number: Option<usize>,
-        maps: &mut Maps,
+        maps: &mut Maps<'_>,
     ) -> Result<Surface, SceneError> {
         if let Some(path) = &self.object {
             let surface = self.load_object(path, parts, maps);

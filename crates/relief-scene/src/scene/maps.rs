@@ -9,9 +9,9 @@ use crate::motif::{MotifFile, MotifOptions, read_motif};
 use relief_core::mesh::{Mesh, UvProjection};
 use relief_core::{BYTES_PER_TILE_TRIANGLE, ByteSize, HeightMap, MotifTree, Wrap};
 use relief_io::{
-    ColorTable, Curve, GreenSign, HeightFile, HeightOptions, MaterialTextures, MeshColors, MeshMaterial,
-    MeshOptions, NormalMap, Picture, ReadError, ReadNote, ReadProblem, Remark, Up, VolumeFile, VolumeOptions,
-    omissions, read_color_table,
+    ColorTable, Curve, Files, GreenSign, HeightFile, HeightOptions, MaterialTextures, MeshColors,
+    MeshMaterial, MeshOptions, NormalMap, Picture, ReadError, ReadNote, ReadProblem, Remark, Up, VolumeFile,
+    VolumeOptions, omissions, read_color_table,
 };
 use relief_mesh::shell_map::{MotifForRays, motif_for_rays};
 use relief_shaders::Selection;
@@ -56,7 +56,8 @@ pub(super) struct LoadedMotif {
 }
 
 /// Reads maps, each file once, within the memory limit.
-pub struct Maps {
+pub struct Maps<'a> {
+    files: &'a Files,
     limit: ByteSize,
     left: u64,
     heights: Vec<(PathBuf, HeightOptions, HeightMap)>,
@@ -70,10 +71,11 @@ pub struct Maps {
     notes: Vec<ReadNote>,
 }
 
-impl Maps {
-    /// Creates a reader with `left` bytes for maps, out of the whole limit.
-    pub fn new(limit: ByteSize, left: u64) -> Self {
+impl<'a> Maps<'a> {
+    /// Creates a reader of `files` with `left` bytes for maps, out of the whole limit.
+    pub fn new(files: &'a Files, limit: ByteSize, left: u64) -> Self {
         Self {
+            files,
             limit,
             left,
             heights: Vec::new(),
@@ -91,6 +93,11 @@ impl Maps {
         self.notes
     }
 
+    /// Returns the files that are read.
+    pub(super) fn files(&self) -> &'a Files {
+        self.files
+    }
+
     /// Returns the bytes that are left.
     pub fn left(&self) -> u64 {
         self.left
@@ -104,7 +111,7 @@ impl Maps {
         if let Some((_, _, map)) = self.heights.iter().find(same) {
             return Ok(map.clone());
         }
-        let HeightFile { map, notes } = relief_io::read_height_file(path, &options)?;
+        let HeightFile { map, notes } = relief_io::read_height_file(self.files.source(path), &options)?;
         self.notes.extend(notes);
         self.heights.push((path.to_owned(), options, map.clone()));
         Ok(map)
@@ -118,7 +125,7 @@ impl Maps {
         selection: &Selection,
     ) -> Result<VolumeFile, SceneError> {
         let options = VolumeOptions { wrap, max_bytes: self.left };
-        let file = relief_io::read_volume(path, &options).map_err(SceneError::Volume)?;
+        let file = relief_io::read_volume(self.files.source(path), &options).map_err(SceneError::Volume)?;
         self.take(path, file.volume.atlas(), selection)?;
         Ok(file)
     }
@@ -131,7 +138,8 @@ impl Maps {
         if let Some((_, _, loaded)) = self.motifs.iter().find(is_same) {
             return Ok(loaded.clone());
         }
-        let MotifFile { mesh, scale_m, low_m, is_coarse, axes, .. } = read_motif(path, &options)?;
+        let MotifFile { mesh, scale_m, low_m, is_coarse, axes, .. } =
+            read_motif(self.files.source(path), &options)?;
         let of_motif = |source| SceneError::NoMotif { path: path.to_owned(), source };
         let MotifForRays { tree, beyond } = motif_for_rays(&mesh).map_err(of_motif)?;
         let needed = BYTES_PER_TILE_TRIANGLE * u64::from(tree.triangles());
@@ -164,7 +172,9 @@ impl Maps {
         if let Some((_, color)) = self.colors.iter().find(|(known, _)| known == path) {
             return Ok(Arc::clone(color));
         }
-        let color = Arc::new(relief_io::read_picture(path, self.left).map_err(SceneError::Picture)?);
+        let color = Arc::new(
+            relief_io::read_picture(self.files.source(path), self.left).map_err(SceneError::Picture)?,
+        );
         self.note(path);
         self.take_picture(&color);
         self.colors.push((path.to_owned(), Arc::clone(&color)));
@@ -186,7 +196,9 @@ impl Maps {
         }
         let table = match ramp {
             RampChoice::Builtin(builtin) => ColorTable::from(*builtin),
-            RampChoice::File(path) => read_color_table(path).map_err(SceneError::Picture)?,
+            RampChoice::File(path) => {
+                read_color_table(self.files.source(path)).map_err(SceneError::Picture)?
+            }
         };
         let (width, height) = (map.width(), map.height());
         let needed = COLOR_BYTES * u64::from(width) * u64::from(height);
@@ -221,7 +233,8 @@ impl Maps {
         let loaded = match self.meshes.iter().find(is_same) {
             Some((_, _, loaded)) => loaded.clone(),
             None => {
-                let file = relief_io::read_mesh(path, &options).map_err(SceneError::Mesh)?;
+                let file =
+                    relief_io::read_mesh(self.files.source(path), &options).map_err(SceneError::Mesh)?;
                 let colors = file.colors.map(Arc::new);
                 let mut pictures: Vec<&Arc<Picture>> = Vec::new();
                 for picture in
@@ -253,7 +266,8 @@ impl Maps {
     pub(super) fn normal(&mut self, path: &Path, green: GreenSign) -> Result<NormalMap, SceneError> {
         let [read, converted] = NORMAL_BYTES;
         let limit = self.left / (read + converted) * read;
-        let map = relief_io::read_normal_map(path, green, limit).map_err(SceneError::Picture)?;
+        let map =
+            relief_io::read_normal_map(self.files.source(path), green, limit).map_err(SceneError::Picture)?;
         self.note(path);
         self.spend((read + converted) * u64::from(map.width) * u64::from(map.height));
         Ok(map)
@@ -279,7 +293,8 @@ impl Maps {
         for ((what, file), picture) in MaterialMap::ALL.into_iter().zip(&files).zip(&mut pictures) {
             let Some(path) = file else { continue };
             let curve = if what == MaterialMap::Emission { Curve::Srgb } else { Curve::Linear };
-            let read = relief_io::read_picture_as(path, curve, self.left).map_err(SceneError::Picture)?;
+            let read = relief_io::read_picture_as(self.files.source(path), curve, self.left)
+                .map_err(SceneError::Picture)?;
             self.note(path);
             self.spend(READ_BYTES * u64::from(read.width) * u64::from(read.height));
             *picture = Some(read);
@@ -329,7 +344,7 @@ impl Maps {
 
     /// Notes what the header of a picture says that is not followed. It has been read.
     fn note(&mut self, path: &Path) {
-        self.notes.extend(relief_io::read_notes(path).unwrap_or_default());
+        self.notes.extend(relief_io::read_notes(self.files.source(path)).unwrap_or_default());
     }
 
     /// Subtracts the memory of a colour picture.
@@ -342,7 +357,7 @@ impl Maps {
     pub fn environment(&mut self, path: &Path) -> Result<Environment, SceneError> {
         let [of_texel, kept] = Environment::BYTES;
         let limit = self.left / (READ_BYTES + of_texel) * READ_BYTES;
-        let picture = relief_io::read_picture(path, limit).map_err(SceneError::Picture)?;
+        let picture = relief_io::read_picture(self.files.source(path), limit).map_err(SceneError::Picture)?;
         self.note(path);
         let environment = Environment::from_equirectangular(&picture);
         let environment =

@@ -1,10 +1,10 @@
 //! Keys of a surface inside the file of its mesh: `relief` in the extras of a glTF's material.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use relief_core::registry::UnknownName;
-use relief_io::{beside_file, mesh_needs_roughness, read_mesh_extras};
+use relief_io::{Files, Source, beside_file, mesh_needs_roughness, read_mesh_extras};
 use relief_shaders::{SHADE, STAGES};
 use serde::Deserialize;
 use serde_json::{Map, Value};
@@ -32,6 +32,11 @@ impl SceneSpec {
     ///
     /// When a mesh file cannot be read, or its keys or values cannot be used.
     pub fn with_keys_of_meshes(&self) -> Result<SceneSpec, SceneError> {
+        self.with_keys_of(&Files::Disk)
+    }
+
+    /// Returns this description, completed with the keys of mesh files in `files`.
+    pub(super) fn with_keys_of(&self, files: &Files) -> Result<SceneSpec, SceneError> {
         let limit = self.max_memory.unwrap_or(DEFAULT_MAX_MEMORY).0;
         let mut known: BTreeMap<PathBuf, Option<SurfaceSpec>> = BTreeMap::new();
         let mut each = Vec::new();
@@ -40,7 +45,7 @@ impl SceneSpec {
                 Some(MeshChoice::File(path)) => match known.get(path) {
                     Some(of_mesh) => of_mesh.clone(),
                     None => {
-                        let of_mesh = keys_of_mesh(path, limit)?;
+                        let of_mesh = keys_of_mesh(files.source(path), limit)?;
                         known.insert(path.clone(), of_mesh.clone());
                         of_mesh
                     }
@@ -56,7 +61,7 @@ impl SceneSpec {
                 && surface.object.is_none()
                 && !surface.stages.contains_key(STAGES[SHADE].key)
                 && surface.shading_model().is_ok_and(|model| model.is_none())
-                && mesh_needs_roughness(path, limit).map_err(SceneError::Mesh)?
+                && mesh_needs_roughness(files.source(path), limit).map_err(SceneError::Mesh)?
             {
                 surface.stages.insert(STAGES[SHADE].key.to_owned(), metallic_roughness().to_owned());
             }
@@ -79,14 +84,15 @@ fn over(of_mesh: SurfaceSpec, mut surface: SurfaceSpec) -> SurfaceSpec {
 }
 
 /// Returns the checked keys of a mesh's file.
-fn keys_of_mesh(path: &Path, limit: u64) -> Result<Option<SurfaceSpec>, SceneError> {
-    let Some(text) = read_mesh_extras(path, EXTRAS, limit).map_err(SceneError::Mesh)? else {
+fn keys_of_mesh(source: Source<'_>, limit: u64) -> Result<Option<SurfaceSpec>, SceneError> {
+    let path = source.name();
+    let Some(text) = read_mesh_extras(source, EXTRAS, limit).map_err(SceneError::Mesh)? else {
         return Ok(None);
     };
     let wrong = |what: String| SceneError::MeshKeys { path: path.to_owned(), what };
     let mut surface = parse(&text).map_err(wrong)?;
     for file in surface.files_mut() {
-        *file = beside_file(path, file).map_err(SceneError::Mesh)?;
+        *file = beside_file(source, file).map_err(SceneError::Mesh)?;
     }
     let alone = SurfaceSpec { mesh: Some(MeshChoice::File(path.to_owned())), ..surface.clone() };
     SceneSpec::of_surface(alone).check().map_err(|error| wrong(error.to_string()))?;

@@ -1,9 +1,10 @@
 //! Loading of one scene after the other, as a viewer does: files are read again where their keys changed.
 
-use std::path::PathBuf;
-use std::time::SystemTime;
+use std::path::{Path, PathBuf};
 
 use relief_core::ByteSize;
+use relief_io::{FileStamp, Files, files_of_mesh};
+use relief_object::read_description;
 use relief_shaders::{AMBIENT, DETAIL, SHADOW, Selection};
 
 use super::{Scene, SceneError, SceneSpec, Surface};
@@ -14,14 +15,14 @@ use super::{Scene, SceneError, SceneSpec, Surface};
 /// file being read. It is the same scene that [`SceneSpec::load`] returns, but for the memory that is left for
 /// triangles, and its surfaces share what the last scene's have, so that a renderer finds again what it built.
 ///
-/// Files that changed on the disk since then are read again.
+/// Files that changed since then are read again, and so are the scene's other files.
 ///
 /// # Examples
 ///
 /// ```no_run
 /// use relief_scene::{SceneReader, read_scene};
 ///
-/// let mut spec = read_scene("wall.toml".as_ref())?;
+/// let mut spec = read_scene("wall.toml")?;
 /// let mut reader = SceneReader::default();
 /// let first = reader.load(&spec)?;
 /// spec.eye = Some([1.0, 0.5, 0.0]);
@@ -31,6 +32,7 @@ use super::{Scene, SceneError, SceneSpec, Surface};
 /// ```
 #[derive(Debug, Default)]
 pub struct SceneReader {
+    files: Files,
     last: Option<Last>,
 }
 
@@ -43,17 +45,26 @@ struct Last {
     /// The selections that the description gave.
     selections: Vec<Selection>,
     scene: Scene,
-    read: Vec<Stamp>,
-}
-
-/// A file and what it was when it was read.
-#[derive(Debug, PartialEq)]
-struct Stamp {
-    path: PathBuf,
-    state: Option<(u64, Option<SystemTime>)>,
+    /// The files and their states when they were read.
+    read: Vec<(PathBuf, Option<FileStamp>)>,
 }
 
 impl SceneReader {
+    /// Creates a reader of scenes whose files are in `files`. The default is the disk.
+    pub fn of_files(files: Files) -> Self {
+        Self { files, last: None }
+    }
+
+    /// Returns the files.
+    pub fn files(&self) -> &Files {
+        &self.files
+    }
+
+    /// Returns the files for changing them.
+    pub fn files_mut(&mut self) -> &mut Files {
+        &mut self.files
+    }
+
     /// Loads a scene.
     ///
     /// # Errors
@@ -61,14 +72,16 @@ impl SceneReader {
     /// See [`SceneSpec::load`]. The scene before stays known.
     pub fn load(&mut self, spec: &SceneSpec) -> Result<Scene, SceneError> {
         if let Some(last) = &self.last
-            && let Some(scene) = last.seen_by(spec)?
+            && let Some(scene) = last.seen_by(spec, &self.files)?
         {
             return Ok(scene);
         }
-        let (whole, notes) = spec.whole()?;
+        let files = &self.files;
+        let (whole, notes) = spec.whole(files)?;
         // What changes while it is read is read again.
-        let read = stamps(&whole);
-        let scene = whole.load_whole(notes)?;
+        let read = named_files(&whole, spec, files).into_iter();
+        let read = read.map(|path| (path.clone(), files.stamp(&path))).collect();
+        let scene = whole.load_whole(files, notes)?;
         let selections = whole.selections()?;
         let last = Last { asked: spec.clone(), whole, selections, scene: scene.clone(), read };
         self.last = Some(last);
@@ -78,12 +91,12 @@ impl SceneReader {
 
 impl Last {
     /// This scene as another description shows it, if no file must be read for it.
-    fn seen_by(&self, spec: &SceneSpec) -> Result<Option<Scene>, SceneError> {
+    fn seen_by(&self, spec: &SceneSpec, files: &Files) -> Result<Option<Scene>, SceneError> {
         let is_known = surfaces_of(spec) == surfaces_of(&self.asked)
             && !spec.is_of_map_size()
             && !self.asked.is_of_map_size()
             && !self.whole.each_surface().iter().any(|surface| surface.has_walls());
-        if !is_known || stamps(&self.whole) != self.read {
+        if !is_known || self.read.iter().any(|(path, state)| files.stamp(path) != *state) {
             return Ok(None);
         }
         let Self { whole, scene, .. } = self;
@@ -161,11 +174,24 @@ fn surfaces_of(spec: &SceneSpec) -> SceneSpec {
     }
 }
 
-/// The files that a description names, as they are now.
-fn stamps(spec: &SceneSpec) -> Vec<Stamp> {
-    let state = |path: &PathBuf| {
-        let about = std::fs::metadata(path).ok()?;
-        Some((about.len(), about.modified().ok()))
-    };
-    spec.files().map(|path| Stamp { state: state(path), path: path.clone() }).collect()
+/// The files that a scene is read from, as far as their names are known. `asked` is the description without
+/// the content of folders.
+fn named_files(whole: &SceneSpec, asked: &SceneSpec, files: &Files) -> Vec<PathBuf> {
+    let mut named: Vec<PathBuf> = asked.files().chain(whole.files()).cloned().collect();
+    for path in whole.files() {
+        named.extend(files_of_mesh(files.source(path)));
+    }
+    for object in whole.each_surface().iter().filter_map(|surface| surface.object.as_deref()) {
+        named.extend(files_of_object(object, files));
+    }
+    named.sort();
+    named.dedup();
+    named
+}
+
+/// The pictures of an object. None if its file cannot be read.
+fn files_of_object(path: &Path, files: &Files) -> Vec<PathBuf> {
+    let Ok(description) = read_description(files.source(path)) else { return Vec::new() };
+    let names = [Some(description.depth), description.color, description.normal];
+    names.into_iter().flatten().map(|name| path.with_file_name(name)).collect()
 }

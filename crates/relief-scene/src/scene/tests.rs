@@ -1,3 +1,4 @@
+mod files_in_memory;
 mod listed_keys;
 mod loading;
 mod looks;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use relief_io::{FoundTexture, ReadNote, Remark, TextureRole, TextureSet, find_textures, omissions};
+use relief_io::{Files, FoundTexture, ReadNote, Remark, TextureRole, TextureSet, find_textures, omissions};
 use relief_shaders::{SHADE, STAGES};
 
 use super::material_spec::metallic_roughness;
@@ -16,17 +16,17 @@ impl SceneSpec {
     /// # Errors
     ///
     /// When a folder cannot be read, its names are unclear, or a surface would have no height map.
-    pub(super) fn with_texture_sets(&self) -> Result<(Self, Vec<ReadNote>), SceneError> {
+    pub(super) fn with_texture_sets(&self, files: &Files) -> Result<(Self, Vec<ReadNote>), SceneError> {
         let mut notes = Vec::new();
         let mut spec = self.clone();
         if spec.surfaces.is_empty() {
-            spec.surface = spec.surface.with_texture_set(&mut notes)?;
+            spec.surface = spec.surface.with_texture_set(files, &mut notes)?;
             return Ok((spec, notes));
         }
         // Surfaces have the common keys, and so the common set, unless they have one of their own.
         let each = self.each_surface().into_iter();
         let found =
-            each.map(|surface| surface.with_texture_set(&mut notes)).collect::<Result<Vec<_>, _>>()?;
+            each.map(|surface| surface.with_texture_set(files, &mut notes)).collect::<Result<Vec<_>, _>>()?;
         for (own, found) in spec.surfaces.iter_mut().zip(found) {
             if found.textures.is_some() {
                 *own = found;
@@ -40,11 +40,11 @@ impl SceneSpec {
 
 impl SurfaceSpec {
     /// Returns the description with the files of its texture set as maps.
-    fn with_texture_set(&self, notes: &mut Vec<ReadNote>) -> Result<Self, SceneError> {
+    fn with_texture_set(&self, files: &Files, notes: &mut Vec<ReadNote>) -> Result<Self, SceneError> {
         let mut spec = self.clone();
         let dropped = spec.drop_maps();
         let Some(folder) = &self.textures else { return Ok(spec) };
-        let set = find_textures(folder, self.udim)?;
+        let set = find_textures(files.source(folder), self.udim)?;
         let mut taken = Vec::new();
         let mut left = Vec::new();
         // Blinn-Phong reads no map of a material.

@@ -70,14 +70,9 @@ impl<'a> Buffers<'a> {
     fn beside(&self, uri: &str, builder: &mut Builder) -> Result<Cow<'a, [u8]>, ReadProblem> {
         let outside = || ReadProblem::OutsideFolder { file: uri.chars().take(200).collect() };
         let path = relative(uri).ok_or_else(outside)?;
-        let Some(folder) = self.source.folder() else {
-            let what = "another file, which bytes in memory cannot refer to".to_owned();
-            return Err(ReadProblem::Unsupported { what, advice: "give its path, or a GLB" });
-        };
-        let file = inside(folder, &path, uri)?;
+        let file = inside(self.source, &path, uri)?;
         let of_part = |problem| ReadProblem::Part { file: file.clone(), problem: Box::new(problem) };
-        let bytes = Source::from(&file).whole(|len| builder.take(len)).map_err(of_part)?;
-        Ok(Cow::Owned(bytes.into_owned()))
+        self.source.whole_of(&file, |len| builder.take(len)).map_err(of_part)
     }
 }
 

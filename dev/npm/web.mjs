@@ -1,0 +1,167 @@
+// Uses the module for the web in Node: what it renders is compared with what the command renders, byte for byte.
+//
+//     node web.mjs FOLDER PATH/TO/relief
+//     node web.mjs --size FOLDER
+//
+// The folder holds what `cargo xtask web` writes.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { parseArgs } from "node:util";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { brotliCompressSync, constants } from "node:zlib";
+
+const { values: options, positionals } = parseArgs({
+    allowPositionals: true,
+    options: { size: { type: "boolean", default: false } },
+});
+const [folder, relief] = positionals.map((path) => resolve(path));
+if (!folder || (!relief && !options.size)) {
+    console.error("usage: node web.mjs FOLDER PATH/TO/relief, or node web.mjs --size FOLDER");
+    process.exit(2);
+}
+const module = readFileSync(join(folder, "relief_web_bg.wasm"));
+
+/** Most bytes of the compressed module. */
+const MOST_BYTES = 2_200_000;
+
+if (options.size) {
+    const params = {
+        [constants.BROTLI_PARAM_QUALITY]: 11,
+        [constants.BROTLI_PARAM_LGWIN]: 24,
+        [constants.BROTLI_PARAM_SIZE_HINT]: module.length,
+    };
+    const compressed = brotliCompressSync(module, { params }).length;
+    console.log(`relief_web_bg.wasm: ${module.length} bytes, ${compressed} by brotli`);
+    assert(compressed <= MOST_BYTES, `the module may take ${MOST_BYTES} bytes`);
+    process.exit(0);
+}
+
+const { SceneFiles, initSync } = await import(pathToFileURL(join(folder, "relief_web.js")));
+initSync({ module });
+
+const sample = (name) => readFileSync(fileURLToPath(new URL(`../../data/${name}`, import.meta.url)));
+
+/** Heights without symmetry, few enough that maps are baked in no time. */
+function heights(side) {
+    const height = (at) => {
+        const [x, y] = [at % side, Math.floor(at / side)];
+        return (x * x * 3 + y * x * 7 + (y > side / 3 ? 90 : 0)) % 251;
+    };
+    return Buffer.concat([Buffer.from(`P5 ${side} ${side} 255\n`), Buffer.from(Array.from({ length: side * side }, (_, at) => height(at)))]);
+}
+
+const FILES = { "wall.pgm": heights(40), "maps/colours.png": sample("piebald.png") };
+const SCENE = 'height = "wall.pgm"\ncolor = "maps/colours.png"\nsize = [96, 72]\nbackend = "cpu"\n';
+
+/** A viewer of a scene with this text, in the folder `there`. */
+function opened(text, files = FILES) {
+    const given = new SceneFiles();
+    for (const [name, bytes] of Object.entries({ ...files, "scene.toml": Buffer.from(text) })) {
+        given.add(`there/${name}`, bytes);
+    }
+    return given.open("there/scene.toml");
+}
+
+/** The file that the command writes of the same scene. */
+function byCommand(text, what) {
+    const here = mkdtempSync(join(tmpdir(), "relief-web-"));
+    try {
+        execFileSync("mkdir", [join(here, "maps")]);
+        for (const [name, bytes] of Object.entries({ ...FILES, "scene.toml": text })) {
+            writeFileSync(join(here, name), bytes);
+        }
+        const written = what === "aov.exr" ? ["-o", "picture.png", "--aov", what] : ["-o", what];
+        execFileSync(relief, ["render", "scene.toml", "-q", ...written], { cwd: here });
+        return readFileSync(join(here, what));
+    } finally {
+        rmSync(here, { recursive: true });
+    }
+}
+
+function assertSame(text, what) {
+    const same = byCommand(text, what).equals(opened(text).save(what));
+    assert(same, `${what} is another one than the command's for\n${text}`);
+}
+
+function methodsOfReliefs() {
+    const { panel } = JSON.parse(opened(SCENE).state());
+    const control = panel.surfaces.flat().find(({ key }) => key === "method");
+    return control.choices.filter(({ refused }) => refused === null).map(({ name }) => name);
+}
+
+const tests = {
+    everyMethodOfReliefsIsTheCommands() {
+        const methods = methodsOfReliefs();
+        assert(methods.length > 25, methods.join());
+        for (const method of methods) assertSame(`${SCENE}method = "${method}"\n`, "picture.png");
+    },
+
+    everyFileIsTheCommands() {
+        assertSame(SCENE, "picture.jpg");
+        assertSame(SCENE, "aov.exr");
+        // In other looks the system's own sine decides the last bit of some floats.
+        assertSame(`${SCENE}look = "plain"\n`, "picture.exr");
+        assertSame(`${SCENE}mesh = "torus"\nsamples = 4\n`, "picture.png");
+    },
+
+    picturesFollowActions() {
+        const viewer = opened(SCENE);
+        const wish = { width: 40, height: 30, part: 0.5, samples: "one" };
+        const drawn = (heard) => viewer.picture(JSON.stringify(wish), heard);
+        const tasks = [];
+        const first = drawn((task, part) => { tasks.push([task, part]); });
+        const about = JSON.parse(first.about);
+        assert.deepEqual([about.revision, about.size, about.samples, about.backend], [0, [48, 36], 1, "cpu"]);
+        const before = first.pixels();
+        assert.equal(before.length, 4 * 48 * 36);
+        assert.deepEqual(tasks.at(-1), ["rendering", 1]);
+        const action = { do: "orbit", degrees: [30, 0] };
+        const applied = JSON.parse(viewer.apply(JSON.stringify({ action, drag: null })));
+        assert.equal(applied.revision, 1);
+        assert.deepEqual(applied.undo, [true, false]);
+        assert(!Buffer.from(before).equals(drawn().pixels()), "the camera turned");
+        viewer.apply(JSON.stringify({ action: { do: "undo" }, drag: null }));
+        assert(Buffer.from(before).equals(drawn().pixels()), "undo turns it back");
+        assert.equal(drawn(() => true), undefined, "who hears of it may end it");
+        assert.throws(() => viewer.apply('{"action": {"do": "jump"}}'), /jump/);
+        const far = { do: "set", key: "samples", value: 5000 };
+        assert.throws(() => viewer.apply(JSON.stringify({ action: far, drag: null })), /1024/);
+    },
+
+    droppedFilesAreTaken() {
+        const viewer = opened(SCENE);
+        viewer.give(7, "Brick/brick_height.pgm", FILES["wall.pgm"]);
+        viewer.give(7, "Brick/brick_color.png", FILES["maps/colours.png"]);
+        assert(JSON.parse(viewer.take(7, undefined)).changed.includes("textures"));
+        const text = Buffer.from(viewer.save("scene.toml")).toString();
+        assert.match(text, /textures = "Brick"/);
+        viewer.give(8, "other.pgm", FILES["wall.pgm"]);
+        viewer.take(8, "height");
+        assert.match(Buffer.from(viewer.save("scene.toml")).toString(), /height = "other.pgm"/);
+        assert.throws(() => viewer.give(9, "../up.pgm", FILES["wall.pgm"]), /no path of a dropped file/);
+        viewer.give(10, "notes.txt", Buffer.from("text"));
+        assert.throws(() => viewer.take(10, undefined), /notes.txt: it is no picture/);
+        assert.throws(() => viewer.save("picture.bmp"), /nothing that can be saved/);
+    },
+
+    missingFilesAreNamed() {
+        const gltf = { asset: { version: "2.0" }, buffers: [{ uri: "parts/one.bin", byteLength: 36 }] };
+        gltf.bufferViews = [{ buffer: 0, byteLength: 36 }];
+        gltf.accessors = [{ bufferView: 0, count: 3, componentType: 5126, type: "VEC3", min: [0, 0, 0], max: [1, 1, 1] }];
+        gltf.meshes = [{ primitives: [{ attributes: { POSITION: 0 } }] }];
+        gltf.nodes = [{ mesh: 0 }];
+        const viewer = opened('mesh = "mesh.gltf"\n', { "mesh.gltf": Buffer.from(JSON.stringify(gltf)) });
+        const wish = JSON.stringify({ width: 40, height: 30, part: 1, samples: "one" });
+        assert.throws(() => viewer.picture(wish), /there\/parts\/one.bin.*it is not among the files/);
+    },
+};
+
+for (const [name, test] of Object.entries(tests)) {
+    const start = performance.now();
+    test();
+    console.log(`${name} ... ok <${((performance.now() - start) / 1000).toFixed(3)}s>`);
+}

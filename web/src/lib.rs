@@ -1,0 +1,161 @@
+//! Relief's viewer as a module for the web. It holds the scene and its files, and draws on the CPU, without a
+//! server. A page runs it in a worker, since a picture takes a while.
+//!
+//! Texts are the messages of the page of `relief view`, in JSON; its `protocol.d.ts` describes them.
+
+use std::cell::RefCell;
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use js_sys::Function;
+use relief_core::Watch;
+use relief_io::MemoryFiles;
+use relief_viewer::{Asked, Drawn, NotDrawn, Sent, Viewer};
+use wasm_bindgen::prelude::*;
+
+thread_local! {
+    /// The function that hears of progress. The module has a single thread.
+    static HEARD: RefCell<Option<Function>> = const { RefCell::new(None) };
+}
+
+/// Files of a scene that is not open yet.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct SceneFiles(MemoryFiles);
+
+#[wasm_bindgen]
+impl SceneFiles {
+    /// Creates an empty set.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds a file under a relative path.
+    ///
+    /// # Errors
+    ///
+    /// When the path leaves the folder of all files.
+    pub fn add(&mut self, path: &str, bytes: Vec<u8>) -> Result<(), JsError> {
+        Ok(self.0.insert(path, bytes)?)
+    }
+
+    /// Opens the scene at a path.
+    ///
+    /// # Errors
+    ///
+    /// When the scene's file cannot be read.
+    pub fn open(self, scene: &str) -> Result<Relief, JsError> {
+        Ok(Relief { viewer: Viewer::open(self.0, Path::new(scene))? })
+    }
+}
+
+/// A viewer.
+#[wasm_bindgen]
+pub struct Relief {
+    viewer: Viewer,
+}
+
+/// A picture with its description.
+#[wasm_bindgen]
+pub struct Picture {
+    about: String,
+    pixels: Vec<u8>,
+}
+
+#[wasm_bindgen]
+impl Picture {
+    /// What the page shows of the picture: `AboutPicture`.
+    #[wasm_bindgen(getter)]
+    pub fn about(&self) -> String {
+        self.about.clone()
+    }
+
+    /// Returns red, green, blue and 255 of each pixel, row by row from the top, and forgets them.
+    pub fn pixels(&mut self) -> Vec<u8> {
+        std::mem::take(&mut self.pixels)
+    }
+}
+
+#[wasm_bindgen]
+impl Relief {
+    /// Returns what the page shows besides the picture: `State`.
+    pub fn state(&self) -> String {
+        self.viewer.state().to_string()
+    }
+
+    /// Applies an action, and returns what changed: from `{ action, drag }` to `Applied`.
+    ///
+    /// # Errors
+    ///
+    /// When the action is refused; nothing is changed then.
+    pub fn apply(&mut self, sent: &str) -> Result<String, JsError> {
+        let sent: Sent = Sent::of_json(sent)?;
+        self.viewer.apply(&sent).map(|changed| changed.to_string()).map_err(|said| JsError::new(&said))
+    }
+
+    /// Draws the scene for a `Wish`. `heard` is called with the task's name and the part done.
+    /// Returns nothing if `heard` returned true, which ends the work.
+    ///
+    /// # Errors
+    ///
+    /// When a file cannot be read, or a value is refused.
+    pub fn picture(&mut self, wish: &str, heard: Option<Function>) -> Result<Option<Picture>, JsError> {
+        let asked = Asked::of_json(wish)?;
+        match watched(heard, |watch| self.viewer.picture(asked, watch)) {
+            Ok(drawn) => {
+                let about = self.viewer.about(&drawn).to_string();
+                let Drawn { pixels, .. } = drawn;
+                Ok(Some(Picture { about, pixels }))
+            }
+            Err(NotDrawn::Cancelled(_)) => Ok(None),
+            Err(error) => Err(JsError::new(&self.viewer.named(&error.to_string()))),
+        }
+    }
+
+    /// Keeps a file of a group that is being given. `path` is its path in what was dropped.
+    ///
+    /// # Errors
+    ///
+    /// When the path leaves its folder, or the group is too large.
+    pub fn give(&mut self, group: u32, path: &str, bytes: Vec<u8>) -> Result<(), JsError> {
+        self.viewer.give(group.into(), path, bytes).map_err(|said| JsError::new(&said))
+    }
+
+    /// Puts the files of a group into the scene, and returns what changed: `Applied`.
+    ///
+    /// # Errors
+    ///
+    /// When the files are unclear or cannot be shown, or the scene refuses them.
+    pub fn take(&mut self, group: u32, key: Option<String>) -> Result<String, JsError> {
+        let changed = self.viewer.take(group.into(), key.as_deref());
+        changed.map(|changed| changed.to_string()).map_err(|said| JsError::new(&said))
+    }
+
+    /// Returns the bytes of a file to save.
+    ///
+    /// # Errors
+    ///
+    /// When no file has this name, or the picture cannot be drawn.
+    pub fn save(&mut self, what: &str, heard: Option<Function>) -> Result<Vec<u8>, JsError> {
+        watched(heard, |watch| self.viewer.save(what, watch)).map_err(|said| JsError::new(&said))
+    }
+}
+
+/// Runs work whose progress a function hears.
+fn watched<T>(heard: Option<Function>, work: impl FnOnce(&Watch) -> T) -> T {
+    HEARD.set(heard);
+    let stop = AtomicBool::new(false);
+    let tell = |task: &str, part: f32| {
+        let ends = HEARD.with_borrow(|heard| {
+            let heard = heard.as_ref()?;
+            heard.call2(&JsValue::NULL, &task.into(), &part.into()).ok()
+        });
+        if ends.is_some_and(|ends| ends.is_truthy()) {
+            stop.store(true, Ordering::Relaxed);
+        }
+    };
+    let done = work(&Watch::new(&tell, &stop));
+    HEARD.set(None);
+    done
+}
