@@ -1,223 +1,316 @@
-//! Pictures of one scene after the other.
+//! Pictures for the page: one view, or two of the same scene by two methods. A drawing keeps what its scenes share:
+//! files that were read, baked maps, and what the renderers have built.
 
-use std::sync::Arc;
+use std::collections::BTreeSet;
 
-use relief_core::{ByteSize, Cancelled, Watch};
+use relief_core::{ByteSize, Cancelled, Lanes, Watch};
 use relief_io::Files;
 use relief_maps::Maps;
-use relief_render::picture::{Display, bytes_of};
-use relief_render::{Bands, RenderError, RenderInfo, Renderer};
-use relief_scene::{
-    BackendChoice, DEFAULT_MAX_MEMORY, Sampling, Scene, SceneError, SceneReader, SceneSpec, ValueError,
-};
+use relief_render::RenderInfo;
+use relief_render::false_color::{Judge, Quantity, Scale, quantity_of};
+use relief_scene::{Scene, SceneError, SceneSpec, Shown, ValueError};
 use relief_session::Seen;
-use serde::Deserialize;
 use serde_json::{Value, json};
 use web_time::Instant;
 
-/// What is asked of a picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Asked {
-    /// Columns and rows of the pane, for scenes without a size.
-    pub pane: [u32; 2],
-    /// Factor on both sides, from 0 to 1.
-    pub part: f64,
-    /// Whether one sample for each pixel is enough.
-    pub is_quick: bool,
-}
+use crate::exact::Exact;
+use crate::pane::{Painted, Pane};
+use crate::pixel::Looked;
+use crate::{Asked, NotDrawn, colors};
 
-impl Asked {
-    /// Asks for the whole picture in a pane of this size.
-    pub const fn whole(pane: [u32; 2]) -> Self {
-        Self { pane, part: 1.0, is_quick: false }
-    }
-
-    /// Reads a wish in JSON: `width` and `height` of the pane, `part`, and `samples`, `"one"` or `"all"`.
-    ///
-    /// # Errors
-    ///
-    /// When the text is another one.
-    pub fn of_json(text: &str) -> Result<Self, serde_json::Error> {
-        let Wish { width, height, part, samples } = serde_json::from_str(text)?;
-        Ok(Self { pane: [width, height], part, is_quick: samples == Samples::One })
-    }
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Wish {
-    width: u32,
-    height: u32,
-    part: f64,
-    samples: Samples,
-}
-
-#[derive(Deserialize, PartialEq)]
-#[serde(rename_all = "lowercase")]
-enum Samples {
-    One,
-    All,
-}
-
-/// A picture.
+/// The views of a scene.
 #[derive(Debug)]
 pub struct Drawn {
     /// Columns and rows.
     pub size: [u32; 2],
     /// Samples per pixel.
     pub samples: u32,
-    /// Red, green, blue and 255, row by row from the top.
-    pub pixels: Vec<u8>,
-    /// Backend, baked maps and time of rendering.
-    pub info: RenderInfo,
-    /// Notes of the readers of the scene's files.
+    /// Notes about the scene's files.
     pub notes: Vec<String>,
     /// Seconds from the request to the picture.
     pub seconds: f64,
-    /// What the picture shows, for [`Session::shown`](relief_session::Session::shown).
+    /// What the first view shows, for [`Session::shown`](relief_session::Session::shown).
     pub seen: Seen,
+    /// One view, or two.
+    views: Vec<View>,
 }
 
-impl Drawn {
-    /// Returns what a page shows of the picture, as JSON.
-    pub fn about(&self, revision: u64) -> Value {
-        json!({
-            "revision": revision, "size": self.size, "samples": self.samples, "seconds": self.seconds,
-            "backend": self.info.backend, "device": self.info.device, "notes": self.notes,
-        })
-    }
+/// One view.
+#[derive(Debug)]
+struct View {
+    /// What the page learns of it.
+    about: Value,
+    /// Red, green, blue and 255, row by row from the top; none if it cannot be drawn.
+    pixels: Vec<u8>,
 }
 
-/// Reason why there is no picture.
-#[derive(Debug, thiserror::Error)]
-pub enum NotDrawn {
-    /// It was cancelled.
-    #[error(transparent)]
-    Cancelled(#[from] Cancelled),
-    /// The scene cannot be loaded.
-    #[error(transparent)]
-    Scene(#[from] SceneError),
-    /// A scene of the picture's size and samples is refused.
-    #[error(transparent)]
-    Value(#[from] ValueError),
-    /// Rendering failed.
-    #[error(transparent)]
-    Render(RenderError),
-}
+/// A view that has been drawn, or the reason why it cannot be.
+type Made = Result<(Painted, RenderInfo), String>;
 
-impl From<RenderError> for NotDrawn {
-    fn from(error: RenderError) -> Self {
-        match error {
-            RenderError::Cancelled(cancelled) => Self::Cancelled(cancelled),
-            other => Self::Render(other),
-        }
-    }
-}
+/// Says what is worth a note about the files of a scene.
+pub type Notes = fn(&SceneSpec, &Scene) -> Vec<String>;
 
-/// Draws scenes, and keeps what they share: files that were read, baked maps, and what the renderer has built.
+/// Draws scenes, and keeps what they share: files that were read, baked maps, and what the renderers have built.
 #[derive(Debug)]
 pub struct Drawing {
-    reader: SceneReader,
+    files: Files,
     maps: Maps,
     most_memory: ByteSize,
-    renderer: Option<Made>,
-}
-
-/// A renderer, with what it was made for.
-#[derive(Debug)]
-struct Made {
-    backend: BackendChoice,
-    sampling: Sampling,
-    renderer: Renderer,
-    scene: Scene,
+    lanes: Option<Lanes>,
+    notes: Notes,
+    panes: Vec<Pane>,
+    /// The last picture of a view at rest.
+    looked: Option<Looked>,
 }
 
 impl Drawing {
     /// Draws scenes whose files are in `files`, with baked maps from `maps`. A scene may take at most
     /// `most_memory`, whatever it says itself.
     pub fn new(files: Files, maps: Maps, most_memory: ByteSize) -> Self {
-        Self { reader: SceneReader::of_files(files), maps, most_memory, renderer: None }
+        let notes: Notes = |_, scene| scene.notes().iter().map(ToString::to_string).collect();
+        Self { files, maps, most_memory, lanes: None, notes, panes: vec![Pane::default()], looked: None }
+    }
+
+    /// Sets the SIMD width of the CPU.
+    #[must_use]
+    pub fn with_lanes(self, lanes: Lanes) -> Self {
+        Self { lanes: Some(lanes), ..self }
+    }
+
+    /// Sets what is noted about the files of a scene. Default: the notes of their readers.
+    #[must_use]
+    pub fn with_notes(self, notes: Notes) -> Self {
+        Self { notes, ..self }
     }
 
     /// Returns the files.
     pub fn files(&self) -> &Files {
-        self.reader.files()
+        &self.files
     }
 
     /// Returns the files for changing them.
     pub fn files_mut(&mut self) -> &mut Files {
-        self.reader.files_mut()
+        &mut self.files
     }
 
-    /// Draws a scene.
+    /// Draws the views of a scene.
     ///
     /// # Errors
     ///
-    /// When a file cannot be read, a value is refused, the backend fails, or `watch` cancels the work.
+    /// When no view can be drawn: a file cannot be read, a value is refused, or the backend fails; and when
+    /// `watch` cancels the work.
     pub fn draw(&mut self, spec: &SceneSpec, asked: Asked, watch: &Watch) -> Result<Drawn, NotDrawn> {
         let started = Instant::now();
-        let whole = self.load(&shown(spec, asked.pane))?;
-        let (seen, scene) = (Seen::of(&whole), reduced(&whole, asked)?);
-        let [width, height] = scene.size();
-        let mut pixels = Vec::with_capacity(4 * width as usize * height as usize);
-        let display = Display::of(&scene);
-        let info = self.render(&scene, false, watch, &mut |row, line| {
-            let colours = display.linear_row(row, line).into_iter().map(bytes_of);
-            pixels.extend(colours.flat_map(|[red, green, blue]| [red, green, blue, u8::MAX]));
-            Ok(())
-        })?;
-        let notes = whole.notes().iter().map(ToString::to_string).collect();
-        let (size, samples, seconds) = (scene.size(), scene.samples(), started.elapsed().as_secs_f64());
-        Ok(Drawn { size, samples, pixels, info, notes, seconds, seen })
+        self.looked = None;
+        let views = of_views(&shown(spec, asked.pane));
+        self.panes.resize_with(views.len(), Pane::default);
+        let (scenes, notes, seen) = self.scenes(&views, asked)?;
+        let exact = self.exact(&views, &scenes, watch)?;
+        let mut made: Vec<Made> = Vec::new();
+        for (number, (view, scene)) in views.iter().zip(&scenes).enumerate() {
+            let drawn = match scene {
+                Ok(scene) => self.view(number, view, scene, exact.as_ref(), watch),
+                Err(said) => Err(NotDrawn::NoView(said.clone())),
+            };
+            made.push(match drawn {
+                Ok(drawn) => Ok(drawn),
+                Err(NotDrawn::Cancelled(cancelled)) => return Err(cancelled.into()),
+                Err(error) if views.len() == 1 => return Err(error),
+                Err(error) => Err(error.to_string()),
+            });
+        }
+        if let Some(Err(said)) = made.first().filter(|_| made.iter().all(Result::is_err)) {
+            return Err(NotDrawn::NoView(said.clone()));
+        }
+        let exact = exact.and_then(Result::ok);
+        let shown = views.iter().zip(&made).zip(&scenes).map(|((view, own), scene)| {
+            let scale = view.quantity.map(|quantity| {
+                let same = views.iter().zip(&made).filter(|(other, _)| other.shown == view.shown);
+                colors::scale(quantity, same.filter_map(|(_, made)| Some(&made.as_ref().ok()?.0)))
+            });
+            View::of(view, scene.as_ref().ok(), own, scale.as_ref(), exact.as_ref())
+        });
+        let shown: Vec<View> = shown.collect();
+        let first = scenes.first().and_then(|scene| scene.as_ref().ok());
+        let (size, samples) = first.map_or(([0; 2], 0), |scene| (scene.size(), scene.samples()));
+        if !asked.is_quick {
+            let painted = made.into_iter().map(|made| made.ok().map(|(painted, _)| painted));
+            self.looked = Some(Looked::new(scenes.into_iter().map(Result::ok).zip(painted), exact));
+        }
+        let seconds = started.elapsed().as_secs_f64();
+        Ok(Drawn { size, samples, notes, seconds, seen, views: shown })
     }
 
     /// Loads a scene within the memory that may be taken.
     pub(crate) fn load(&mut self, spec: &SceneSpec) -> Result<Scene, SceneError> {
-        let most = spec.max_memory.unwrap_or(DEFAULT_MAX_MEMORY).0.min(self.most_memory.0);
-        self.reader.load(&SceneSpec { max_memory: Some(ByteSize(most)), ..spec.clone() })
+        let Self { files, panes, most_memory, .. } = self;
+        panes[0].load(spec, files, *most_memory)
     }
 
-    /// Renders a scene row by row from the top, each with its number.
-    pub(crate) fn render(
+    /// Renders a scene in bands of rows, as the first view does.
+    pub(crate) fn bands(
         &mut self,
         scene: &Scene,
         numbers: bool,
         watch: &Watch,
-        sink: &mut Rows<'_>,
+        sink: &mut Band<'_>,
     ) -> Result<RenderInfo, NotDrawn> {
-        let Made { renderer, scene: last, .. } = Made::of(&mut self.renderer, scene)?;
-        *last = scene.clone();
-        let (width, mut next) = (scene.size()[0].max(1) as usize, 0);
-        let bands: &mut Bands<'_> = &mut |band| {
-            band.chunks(width).try_for_each(|line| {
-                next += 1;
-                sink(next - 1, line)
-            })
+        let Self { maps, panes, .. } = self;
+        panes[0].bands(scene, maps, numbers, watch, sink)
+    }
+
+    /// Loads the scenes of all views; with notes, and with what the first one shows.
+    #[expect(clippy::type_complexity, reason = "it is taken apart at once")]
+    fn scenes(
+        &mut self,
+        views: &[OfView],
+        asked: Asked,
+    ) -> Result<(Vec<Result<Scene, String>>, Vec<String>, Seen), NotDrawn> {
+        let Self { files, panes, most_memory, lanes, notes: of_files, .. } = self;
+        let (mut scenes, mut notes) = (Vec::with_capacity(views.len()), Vec::new());
+        let mut seen = None;
+        for (view, pane) in views.iter().zip(panes) {
+            pane.lanes = *lanes;
+            match pane.load(&view.spec, files, *most_memory) {
+                Ok(whole) => {
+                    notes.extend(of_files(&view.spec, &whole));
+                    seen.get_or_insert_with(|| Seen::of(&whole));
+                    scenes.push(Ok(reduced(&whole, asked)?));
+                }
+                Err(error) if scenes.is_empty() => return Err(error.into()),
+                Err(error) => scenes.push(Err(error.to_string())),
+            }
+        }
+        let mut told = BTreeSet::new();
+        notes.retain(|note: &String| told.insert(note.clone()));
+        let seen = seen.ok_or_else(|| NotDrawn::NoView("there is nothing to show".to_owned()))?;
+        Ok((scenes, notes, seen))
+    }
+
+    /// Returns what is under a pixel of the last views at rest, as JSON; none if they have changed since, and
+    /// outside of the picture.
+    ///
+    /// # Errors
+    ///
+    /// See [`Self::draw`].
+    pub fn pixel(&mut self, at: [u32; 2], watch: &Watch) -> Result<Option<Value>, NotDrawn> {
+        let Self { maps, panes, looked, .. } = self;
+        looked.as_mut().map_or(Ok(None), |looked| looked.at(at, panes, maps, watch))
+    }
+
+    /// Draws one view.
+    fn view(
+        &mut self,
+        number: usize,
+        view: &OfView,
+        scene: &Scene,
+        exact: Option<&Result<Exact, String>>,
+        watch: &Watch,
+    ) -> Result<(Painted, RenderInfo), NotDrawn> {
+        let Self { maps, panes, .. } = self;
+        let Some(quantity) = view.quantity else { return panes[number].picture(scene, maps, watch) };
+        quantity.check(scene)?;
+        let judge: Option<&dyn Judge> = match exact.filter(|_| view.is_compared()) {
+            Some(Ok(exact)) => {
+                exact.check(quantity)?;
+                Some(exact.judge())
+            }
+            Some(Err(said)) => return Err(NotDrawn::NoView(said.clone())),
+            None => None,
         };
-        Ok(renderer.render_bands(scene, &mut self.maps, numbers, watch, bands)?)
+        panes[number].quantity(scene, quantity, judge, maps, watch)
+    }
+
+    /// The exact picture, if a view is compared with it; or the reason why there is none.
+    fn exact(
+        &mut self,
+        views: &[OfView],
+        scenes: &[Result<Scene, String>],
+        watch: &Watch,
+    ) -> Result<Option<Result<Exact, String>>, NotDrawn> {
+        let compared = || views.iter().zip(scenes).filter(|(view, _)| view.is_compared());
+        let Some(scene) = compared().find_map(|(_, scene)| scene.as_ref().ok()) else { return Ok(None) };
+        let quantities = compared().filter_map(|(view, _)| view.quantity);
+        let lanes = self.lanes.unwrap_or_else(Lanes::widest);
+        match Exact::of(quantities, scene, lanes, &mut self.maps, watch).map_err(NotDrawn::from) {
+            Ok(exact) => Ok(Some(Ok(exact))),
+            Err(NotDrawn::Cancelled(cancelled)) => Err(cancelled.into()),
+            Err(error) => Ok(Some(Err(error.to_string()))),
+        }
     }
 }
 
-/// Receiver of a row of pixels with its number. An error ends the picture.
-pub(crate) type Rows<'a> = dyn FnMut(u32, &[relief_shaders::cpu::PixelOut]) -> Result<(), Cancelled> + 'a;
+/// Receiver of a band of rows of pixels.
+pub(crate) type Band<'a> = dyn FnMut(&[relief_shaders::cpu::PixelOut]) -> Result<(), Cancelled> + 'a;
 
-impl Made {
-    /// Returns the renderer for a scene: the one before, if it serves.
-    fn of<'a>(before: &'a mut Option<Made>, scene: &Scene) -> Result<&'a mut Made, RenderError> {
-        let (backend, sampling) = (scene.backend(), scene.sampling());
-        let kept = before.take().filter(|made| {
-            // A GPU's renderer keeps its programs; one on the CPU holds data of other maps.
-            (made.backend, made.sampling) == (backend, sampling)
-                && (made.renderer.backend() == "gpu" || has_same_maps(&made.scene, scene))
-        });
-        let made = match kept {
-            Some(made) => made,
-            None => {
-                let renderer = Renderer::new(backend, sampling)?;
-                Made { backend, sampling, renderer, scene: scene.clone() }
-            }
+/// A view to be drawn.
+struct OfView {
+    shown: Shown,
+    quantity: Option<&'static Quantity>,
+    spec: SceneSpec,
+}
+
+impl OfView {
+    fn is_compared(&self) -> bool {
+        self.quantity.is_some_and(|quantity| quantity.value.is_comparison())
+    }
+}
+
+/// The views of a scene. What is compared with the exact picture has the finest level of the maps, as in
+/// `relief compare`.
+fn of_views(spec: &SceneSpec) -> Vec<OfView> {
+    let view = |(shown, spec): (Shown, SceneSpec)| {
+        let view = OfView { shown, quantity: quantity_of(shown), spec };
+        match view.is_compared() {
+            true => OfView { spec: view.spec.at_finest_level(), ..view },
+            false => view,
+        }
+    };
+    spec.views().into_iter().map(view).collect()
+}
+
+impl View {
+    fn of(
+        view: &OfView,
+        scene: Option<&Scene>,
+        made: &Made,
+        scale: Option<&Scale>,
+        exact: Option<&Exact>,
+    ) -> Self {
+        let show = view.shown.name();
+        let (Ok((painted, info)), Some(scene)) = (made, scene) else {
+            let said = made.as_ref().err().map_or("", String::as_str);
+            return Self { about: json!({ "show": show, "failed": said }), pixels: Vec::new() };
         };
-        Ok(before.insert(made))
+        let selection = scene.surfaces().first().map(|surface| surface.selection().method_name());
+        let legend = view.quantity.zip(scale).map(|(quantity, scale)| colors::legend(quantity, scale));
+        let compared = view.quantity.filter(|_| view.is_compared()).zip(exact);
+        let errors = compared.and_then(|(quantity, exact)| colors::errors(quantity, exact, painted, scene));
+        let about = json!({
+            "show": show, "method": selection, "backend": info.backend, "device": info.device,
+            "failed": null, "legend": legend, "errors": errors,
+        });
+        Self { about, pixels: colors::bytes(painted, scale, scene.size()) }
+    }
+}
+
+impl Drawn {
+    /// Returns what a page shows of the views, as JSON.
+    pub fn about(&self, revision: u64) -> Value {
+        let views: Vec<&Value> = self.views.iter().map(|view| &view.about).collect();
+        json!({
+            "revision": revision, "size": self.size, "samples": self.samples, "seconds": self.seconds,
+            "notes": self.notes, "views": views,
+        })
+    }
+
+    /// Returns red, green, blue and 255 of all pixels, row by row from the top: of all views that could be drawn,
+    /// one after the other.
+    pub fn into_pixels(self) -> Vec<u8> {
+        let mut views = self.views.into_iter().map(|view| view.pixels);
+        let mut all = views.next().unwrap_or_default();
+        views.for_each(|pixels| all.extend(pixels));
+        all
     }
 }
 
@@ -226,7 +319,7 @@ pub fn shown(spec: &SceneSpec, pane: [u32; 2]) -> SceneSpec {
     SceneSpec { size: spec.size.or(Some(pane.into())), ..spec.clone() }
 }
 
-/// Returns the scene of a quick picture. Its surfaces are the whole one's, so that nothing is baked for it.
+/// The scene of a quick picture. Its surfaces are the whole one's, so that nothing is baked for it.
 fn reduced(scene: &Scene, asked: Asked) -> Result<Scene, ValueError> {
     let part = if asked.part.is_finite() { asked.part.clamp(0.01, 1.0) } else { 1.0 };
     let [width, height] = scene.size().map(|side| ((f64::from(side) * part).round() as u32).max(1));
@@ -235,14 +328,4 @@ fn reduced(scene: &Scene, asked: Asked) -> Result<Scene, ValueError> {
         return Ok(scene.clone());
     }
     scene.to_builder().size(width, height).samples(samples).build()
-}
-
-/// Returns whether surfaces share their maps and meshes with another scene's.
-fn has_same_maps(before: &Scene, scene: &Scene) -> bool {
-    let each = before.surfaces().iter().zip(scene.surfaces());
-    before.surfaces().len() == scene.surfaces().len()
-        && each.into_iter().all(|(before, surface)| {
-            Arc::ptr_eq(before.height_map(), surface.height_map())
-                && Arc::ptr_eq(before.mesh(), surface.mesh())
-        })
 }

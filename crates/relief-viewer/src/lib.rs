@@ -1,7 +1,7 @@
 //! What a viewer of reliefs does, without a window and without threads of its own.
 //!
 //! * [`Viewer`] answers messages: its state, actions, pictures, dropped files, and files to save.
-//! * [`Drawing`] draws one scene after the other, and keeps what they share.
+//! * [`Drawing`] draws one scene after the other, in one view or two, and keeps what they share.
 //! * [`Given`] takes files that a user drops, and says what they change in a scene.
 //!
 //! ```
@@ -14,17 +14,25 @@
 //! files.insert("scene.toml", b"height = \"wall.pgm\"".as_slice())?;
 //! let mut viewer = Viewer::open(files, "scene.toml".as_ref())?;
 //! let picture = viewer.picture(Asked::whole([8, 6]), &Watch::none())?;
-//! assert_eq!(picture.pixels.len(), 8 * 6 * 4);
+//! assert_eq!(picture.into_pixels().len(), 8 * 6 * 4);
 //! assert!(viewer.save("picture.png", &Watch::none())?.starts_with(b"\x89PNG"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod asked;
+mod colors;
 mod drawing;
+mod exact;
 mod given;
+mod not_drawn;
+mod pane;
+mod pixel;
 mod saved;
 mod viewer;
 
-pub use drawing::{Asked, Drawing, Drawn, NotDrawn, shown};
+pub use asked::Asked;
+pub use drawing::{Drawing, Drawn, Notes, shown};
 pub use given::Given;
+pub use not_drawn::NotDrawn;
 pub use saved::{SaveError, Saved, scene_text};
 pub use viewer::{OpenError, Sent, Viewer};

@@ -139,10 +139,15 @@ impl Drawing {
         let mut not_drawn = None;
         let encoded = encode(&mut |sink| {
             let mut failed = None;
-            let rendered = self.render(scene, numbers, watch, &mut |row, line| {
-                sink(row, line).map_err(|error| {
-                    failed = Some(error);
-                    Cancelled
+            let (width, mut next) = (scene.size()[0].max(1) as usize, 0);
+            let rendered = self.bands(scene, numbers, watch, &mut |band| {
+                let mut lines = band.chunks(width);
+                lines.try_for_each(|line| {
+                    next += 1;
+                    sink(next - 1, line).map_err(|error| {
+                        failed = Some(error);
+                        Cancelled
+                    })
                 })
             });
             match (failed, rendered) {

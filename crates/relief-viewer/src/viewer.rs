@@ -139,6 +139,21 @@ impl Viewer {
         Ok(drawn)
     }
 
+    /// Returns what is under a pixel of the views that are shown, as JSON; null while they change, and outside of the
+    /// picture.
+    ///
+    /// # Errors
+    ///
+    /// See [`Drawing::draw`].
+    pub fn pixel(&mut self, at: [u32; 2], watch: &Watch) -> Result<Value, NotDrawn> {
+        Ok(self.drawing.pixel(at, watch)?.unwrap_or(Value::Null))
+    }
+
+    /// Returns the scene's text, as it is.
+    pub fn text(&self) -> String {
+        self.session.text()
+    }
+
     /// Returns what a page shows of a picture, as JSON.
     pub fn about(&self, drawn: &Drawn) -> Value {
         drawn.about(self.revision)

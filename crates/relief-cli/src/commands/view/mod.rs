@@ -1,16 +1,11 @@
 //! `relief view`: a scene to look at and to change, on a page in a browser, or by a script without one.
 
 mod answer;
-mod colors;
 mod door;
-mod drawing;
 mod dropped;
-mod exact;
 mod given;
 mod http;
 mod page;
-mod pane;
-mod pixel;
 mod saved;
 mod script;
 mod serve;

@@ -8,17 +8,17 @@ use std::time::Duration;
 
 use relief_scene::SceneSpec;
 use relief_session::Session;
+use relief_viewer::Asked;
 use serde_json::json;
 
 use super::Arguments;
 use super::answer::{Answer, BYTES, ENDED, REFUSED};
 use super::door::{Door, Shut};
-use super::drawing::{Asked, NotDrawn};
 use super::dropped::{Dropped, write};
 use super::given::Given;
 use super::http::Request;
 use super::page;
-use super::viewer::Viewer;
+use super::viewer::{Ended, Viewer};
 use crate::failure::Failure;
 use crate::streams;
 use crate::{interrupt, say};
@@ -46,7 +46,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (maps, no_cache) = arguments.cache.maps();
     no_cache.iter().for_each(say::note);
     let door = Door::open(arguments.port)?;
-    let viewer = Arc::new(Viewer::new(session, maps, dropped));
+    let viewer = Arc::new(Viewer::new(session, maps, dropped)?);
     let end = interrupt::catch()?;
     let address = door.address();
     streams::answer(|out| match arguments.json {
@@ -147,8 +147,8 @@ fn picture(query: &Query, viewer: &Viewer) -> Answer {
     let asked = Asked { pane: [width, height], part: query.number("part").unwrap_or(1.0), is_quick };
     match viewer.picture(asked) {
         Ok(bytes) => Answer::bytes(BYTES, bytes),
-        Err(NotDrawn::Ended) => Answer::error(ENDED, "another change ended it"),
-        Err(NotDrawn::Failed(said)) => Answer::error(REFUSED, said),
+        Err(Ended::Changed) => Answer::error(ENDED, "another change ended it"),
+        Err(Ended::Failed(said)) => Answer::error(REFUSED, said),
     }
 }
 
@@ -159,8 +159,8 @@ fn pixel(query: &Query, viewer: &Viewer) -> Answer {
     };
     match viewer.pixel([column, row]) {
         Ok(found) => Answer::json(&found),
-        Err(NotDrawn::Ended) => Answer::error(ENDED, "another change ended it"),
-        Err(NotDrawn::Failed(said)) => Answer::error(REFUSED, said),
+        Err(Ended::Changed) => Answer::error(ENDED, "another change ended it"),
+        Err(Ended::Failed(said)) => Answer::error(REFUSED, said),
     }
 }
 

@@ -4,18 +4,20 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use relief_compare::EXACT_HITS;
-use relief_core::Watch;
+use relief_core::{ByteSize, Watch};
+use relief_io::Files;
 use relief_maps::Maps;
 use relief_render::RENDERING;
-use relief_scene::{KeyGroup, SceneSpec, keys};
-use relief_session::{Action, Changed, Drag, Session};
-use serde::Deserialize;
+use relief_scene::{KeyGroup, Scene, SceneSpec, keys};
+use relief_session::{Changed, Drag, Session};
+use relief_viewer::{Asked, Drawing, NotDrawn, Sent, shown};
 use serde_json::{Value, json};
 
-use super::drawing::{Asked, Drawing, NotDrawn, shown};
 use super::dropped::Dropped;
 use super::saved::{offered, saved};
+use crate::commands::maps::{By, of_reading};
 use crate::failure::Failure;
+use crate::lanes;
 
 /// What the page looks at. Changes do not wait for pictures.
 pub struct Viewer {
@@ -35,6 +37,13 @@ struct Document {
     pane: [u32; 2],
 }
 
+/// Why there is no picture.
+pub enum Ended {
+    /// A change ended it.
+    Changed,
+    Failed(String),
+}
+
 /// What is being done.
 #[derive(Default)]
 struct Work {
@@ -44,14 +53,6 @@ struct Work {
     is_quick: bool,
 }
 
-/// An action as the page sends it.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Sent {
-    action: Action,
-    drag: Option<u64>,
-}
-
 /// Keys that arrange views, which stay as they are.
 const ARRANGING: [&str; 2] = ["viewer.divider", "viewer.swapped"];
 
@@ -59,14 +60,17 @@ const ARRANGING: [&str; 2] = ["viewer.divider", "viewer.swapped"];
 const PANE: [u32; 2] = [800, 600];
 
 impl Viewer {
-    pub fn new(session: Session, maps: Maps, dropped: Dropped) -> Self {
-        Self {
+    pub fn new(session: Session, maps: Maps, dropped: Dropped) -> Result<Self, Failure> {
+        // A scene says itself what it may take.
+        let drawing = Drawing::new(Files::Disk, maps, ByteSize(u64::MAX));
+        let drawing = drawing.with_lanes(lanes::from_environment()?).with_notes(notes);
+        Ok(Self {
             document: Mutex::new(Document { session, revision: 0, pane: PANE }),
-            drawing: Mutex::new(Drawing::new(maps)),
+            drawing: Mutex::new(drawing),
             dropped: Mutex::new(dropped),
             work: Mutex::default(),
             stop: AtomicBool::new(false),
-        }
+        })
     }
 
     /// What the page shows besides the picture.
@@ -120,7 +124,7 @@ impl Viewer {
 
     /// Draws the scene as it is. The bytes are those that the page reads: the length of a text of JSON in four
     /// bytes, the text, and the pixels.
-    pub fn picture(&self, asked: Asked) -> Result<Vec<u8>, NotDrawn> {
+    pub fn picture(&self, asked: Asked) -> Result<Vec<u8>, Ended> {
         let mut drawing = locked(&self.drawing);
         let (spec, revision) = {
             let mut document = locked(&self.document);
@@ -132,27 +136,24 @@ impl Viewer {
         let tell = |task: &str, part: f32| self.tell(task, part, asked.is_quick);
         let drawn = drawing.draw(&spec, asked, &Watch::new(&tell, &self.stop));
         self.tell("", 0.0, false);
-        let drawn = drawn.map_err(|error| match error {
-            NotDrawn::Failed(said) => NotDrawn::Failed(self.named(&said)),
-            NotDrawn::Ended => NotDrawn::Ended,
-        })?;
+        let drawn = drawn.map_err(|error| self.ended(error))?;
         locked(&self.document).session.shown(drawn.seen);
         let about = drawn.about(revision).to_string();
         let mut bytes = Vec::new();
         bytes.extend((about.len() as u32).to_le_bytes());
         bytes.extend(about.as_bytes());
-        drawn.into_pixels().for_each(|pixels| bytes.extend(pixels));
+        bytes.extend(drawn.into_pixels());
         Ok(bytes)
     }
 
     /// What is under a pixel of the views that are shown; nothing while they change.
-    pub fn pixel(&self, at: [u32; 2]) -> Result<Value, NotDrawn> {
+    pub fn pixel(&self, at: [u32; 2]) -> Result<Value, Ended> {
         let mut drawing = locked(&self.drawing);
         self.stop.store(false, Ordering::Relaxed);
         let tell = |task: &str, part: f32| self.tell(task, part, true);
         let found = drawing.pixel(at, &Watch::new(&tell, &self.stop));
         self.tell("", 0.0, false);
-        Ok(found?.unwrap_or(Value::Null))
+        Ok(found.map_err(|error| self.ended(error))?.unwrap_or(Value::Null))
     }
 
     fn tell(&self, task: &str, part: f32, is_quick: bool) {
@@ -192,10 +193,23 @@ impl Viewer {
         self.dropped().remove()
     }
 
+    /// Why there is no picture, in words for the page.
+    fn ended(&self, error: NotDrawn) -> Ended {
+        match error {
+            NotDrawn::Cancelled(_) => Ended::Changed,
+            other => Ended::Failed(self.named(&other.to_string())),
+        }
+    }
+
     /// A message with files as the user knows them.
     fn named(&self, text: &str) -> String {
         locked(&self.dropped).named(text)
     }
+}
+
+/// What is noted about the files of a scene.
+fn notes(spec: &SceneSpec, scene: &Scene) -> Vec<String> {
+    of_reading(spec, scene, By::Keys).iter().map(ToString::to_string).collect()
 }
 
 /// What another thread left is whole: it changes by single assignments.

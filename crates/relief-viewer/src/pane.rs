@@ -3,26 +3,29 @@
 use std::sync::Arc;
 
 use rayon::prelude::*;
-use relief_core::{Cancelled, Watch};
+use relief_core::{ByteSize, Cancelled, Lanes, Watch};
+use relief_io::Files;
 use relief_maps::Maps;
 use relief_render::false_color::{Content, Gathered, Judge, Quantity};
 use relief_render::picture::{Display, bytes_of};
 use relief_render::{RenderError, RenderInfo, Renderer};
-use relief_scene::{BackendChoice, Sampling, Scene, SceneReader};
+use relief_scene::{BackendChoice, DEFAULT_MAX_MEMORY, Sampling, Scene, SceneError, SceneReader, SceneSpec};
 use relief_shaders::cpu::PixelOut;
 
-use super::drawing::NotDrawn;
-use crate::advice;
-use crate::lanes;
+use crate::NotDrawn;
+use crate::drawing::Band;
 
 /// What a view keeps from one picture to the next.
-#[derive(Default)]
+#[derive(Debug, Default)]
 pub struct Pane {
-    pub reader: SceneReader,
+    reader: SceneReader,
+    /// SIMD width of the CPU; none for the widest.
+    pub lanes: Option<Lanes>,
     renderer: Option<Made>,
 }
 
 /// A renderer, with what it was made for.
+#[derive(Debug)]
 struct Made {
     backend: BackendChoice,
     sampling: Sampling,
@@ -39,6 +42,14 @@ pub enum Painted {
 }
 
 impl Pane {
+    /// Loads a scene within the memory that may be taken.
+    pub fn load(&mut self, spec: &SceneSpec, files: &Files, most: ByteSize) -> Result<Scene, SceneError> {
+        let most = spec.max_memory.unwrap_or(DEFAULT_MAX_MEMORY).0.min(most.0);
+        // Copies share the bytes.
+        self.reader.files_mut().clone_from(files);
+        self.reader.load(&SceneSpec { max_memory: Some(ByteSize(most)), ..spec.clone() })
+    }
+
     /// Draws the picture of a scene.
     pub fn picture(
         &mut self,
@@ -55,6 +66,7 @@ impl Pane {
                 row += 1;
                 bytes.par_extend(colours.into_par_iter().flat_map_iter(opaque));
             }
+            Ok(())
         })?;
         Ok((Painted::Picture(bytes), info))
     }
@@ -76,6 +88,7 @@ impl Pane {
         let info = self.bands(scene, maps, true, watch, &mut |band| {
             gathered.add(band);
             pixels.extend_from_slice(band);
+            Ok(())
         })?;
         let content = gathered.finish().into_iter().next().unwrap_or(Content::Numbers(Vec::new()));
         Ok((Painted::Quantity(content, pixels), info))
@@ -89,37 +102,42 @@ impl Pane {
         watch: &Watch,
     ) -> Result<Vec<PixelOut>, NotDrawn> {
         let mut pixels = Vec::with_capacity(scene.size().map(|side| side as usize).iter().product());
-        self.bands(scene, maps, true, watch, &mut |band| pixels.extend_from_slice(band))?;
+        self.bands(scene, maps, true, watch, &mut |band| {
+            pixels.extend_from_slice(band);
+            Ok(())
+        })?;
         Ok(pixels)
     }
 
-    fn bands(
+    /// Renders a scene in bands of rows.
+    pub fn bands(
         &mut self,
         scene: &Scene,
         maps: &mut Maps,
         numbers: bool,
         watch: &Watch,
-        sink: &mut dyn FnMut(&[PixelOut]),
+        sink: &mut Band<'_>,
     ) -> Result<RenderInfo, NotDrawn> {
-        let Made { renderer, scene: last, .. } = Made::of(&mut self.renderer, scene)?;
+        let Made { renderer, scene: last, .. } = Made::of(&mut self.renderer, scene, self.lanes)?;
         *last = scene.clone();
         let pixels = scene.size().map(|side| side as usize).iter().product::<usize>();
         let mut done = 0;
         let rendered = renderer.render_bands(scene, maps, numbers, watch, &mut |band| {
-            sink(band);
+            sink(band)?;
             done += band.len();
             watch.at(done as f32 / pixels as f32).map_err(|_| Cancelled)
         });
-        rendered.map_err(|error| match error {
-            RenderError::Cancelled(_) => NotDrawn::Ended,
-            other => NotDrawn::Failed(advice::with(&other, advice::of_render(&other))),
-        })
+        Ok(rendered?)
     }
 }
 
 impl Made {
     /// The renderer for a scene: the one before, if it serves.
-    fn of<'a>(before: &'a mut Option<Made>, scene: &Scene) -> Result<&'a mut Made, NotDrawn> {
+    fn of<'a>(
+        before: &'a mut Option<Made>,
+        scene: &Scene,
+        lanes: Option<Lanes>,
+    ) -> Result<&'a mut Made, RenderError> {
         let (backend, sampling) = (scene.backend(), scene.sampling());
         let kept = before.take().filter(|made| {
             // A GPU's renderer keeps its programs; one on the CPU holds data of other maps.
@@ -129,10 +147,10 @@ impl Made {
         let made = match kept {
             Some(made) => made,
             None => {
-                let renderer = Renderer::new(backend, sampling);
-                let mut renderer = renderer
-                    .map_err(|error| NotDrawn::Failed(advice::with(&error, advice::of_render(&error))))?;
-                renderer.set_lanes(lanes::from_environment()?);
+                let mut renderer = Renderer::new(backend, sampling)?;
+                if let Some(lanes) = lanes {
+                    renderer.set_lanes(lanes);
+                }
                 Made { backend, sampling, renderer, scene: scene.clone() }
             }
         };

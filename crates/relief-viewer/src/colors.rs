@@ -6,8 +6,8 @@ use relief_render::job::Rendering;
 use relief_scene::{Scene, Shown};
 use serde_json::{Value, json};
 
-use super::exact::Exact;
-use super::pane::Painted;
+use crate::exact::Exact;
+use crate::pane::Painted;
 
 /// Number of colours of a legend.
 const STOPS: u32 = 16;

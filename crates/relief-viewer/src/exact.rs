@@ -7,7 +7,10 @@ use relief_maps::Maps;
 use relief_render::false_color::{Judge, Quantity, ValueOf};
 use relief_scene::Scene;
 
+use crate::NotDrawn;
+
 /// What views are compared with.
+#[derive(Debug)]
 pub enum Exact {
     /// For quantities of hits alone, which is less work.
     Hits(ExactHits),
@@ -52,17 +55,10 @@ impl Exact {
         }
     }
 
-    /// Says why a picture cannot be compared.
-    pub fn check(&self, quantity: &Quantity, scene: &Scene) -> Result<(), String> {
-        if self.image().is_some_and(|image| image.size() != scene.size()) {
-            return Err("it has another size than the exact picture".to_owned());
-        }
+    /// Checks that a picture can be compared.
+    pub fn check(&self, quantity: &Quantity) -> Result<(), NotDrawn> {
         match (quantity.value, self.hits()) {
-            (ValueOf::OfHit, None) => {
-                Err("surfaces of a scene hide each other, so the exact hit of each is not known: show color-error or \
-                     flip"
-                    .to_owned())
-            }
+            (ValueOf::OfHit, None) => Err(NotDrawn::NoHits),
             _ => Ok(()),
         }
     }

@@ -6,17 +6,19 @@ use relief_scene::Scene;
 use relief_shaders::cpu::PixelOut;
 use serde_json::{Value, json};
 
-use super::drawing::NotDrawn;
-use super::exact::Exact;
-use super::pane::{Painted, Pane};
+use crate::NotDrawn;
+use crate::exact::Exact;
+use crate::pane::{Painted, Pane};
 
 /// The last views at rest.
+#[derive(Debug)]
 pub struct Looked {
     views: Vec<Option<OfView>>,
     exact: Option<Exact>,
 }
 
 /// A view, and the numbers of its pixels once they have been asked for.
+#[derive(Debug)]
 struct OfView {
     scene: Scene,
     pixels: Option<Vec<PixelOut>>,
