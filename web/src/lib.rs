@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use js_sys::Function;
 use relief_core::Watch;
 use relief_io::MemoryFiles;
-use relief_viewer::{Asked, Drawn, NotDrawn, Sent, Viewer};
+use relief_viewer::{Asked, NotDrawn, Sent, Viewer};
 use wasm_bindgen::prelude::*;
 
 thread_local! {
@@ -71,7 +71,8 @@ impl Picture {
         self.about.clone()
     }
 
-    /// Returns red, green, blue and 255 of each pixel, row by row from the top, and forgets them.
+    /// Returns red, green, blue and 255 of each pixel, row by row from the top, of one view after the other, and
+    /// forgets them.
     pub fn pixels(&mut self) -> Vec<u8> {
         std::mem::take(&mut self.pixels)
     }
@@ -105,12 +106,29 @@ impl Relief {
         match watched(heard, |watch| self.viewer.picture(asked, watch)) {
             Ok(drawn) => {
                 let about = self.viewer.about(&drawn).to_string();
-                let Drawn { pixels, .. } = drawn;
-                Ok(Some(Picture { about, pixels }))
+                Ok(Some(Picture { about, pixels: drawn.into_pixels() }))
             }
             Err(NotDrawn::Cancelled(_)) => Ok(None),
             Err(error) => Err(JsError::new(&self.viewer.named(&error.to_string()))),
         }
+    }
+
+    /// Returns what is under a pixel of the last picture: `ReadPixel`, or null. Nothing if `heard` ended the work.
+    ///
+    /// # Errors
+    ///
+    /// When the pixels cannot be drawn.
+    pub fn pixel(&mut self, x: u32, y: u32, heard: Option<Function>) -> Result<Option<String>, JsError> {
+        match watched(heard, |watch| self.viewer.pixel([x, y], watch)) {
+            Ok(found) => Ok(Some(found.to_string())),
+            Err(NotDrawn::Cancelled(_)) => Ok(None),
+            Err(error) => Err(JsError::new(&self.viewer.named(&error.to_string()))),
+        }
+    }
+
+    /// Returns the scene as text, with the paths of given files as they are kept.
+    pub fn text(&self) -> String {
+        self.viewer.text()
     }
 
     /// Keeps a file of a group that is being given. `path` is its path in what was dropped.

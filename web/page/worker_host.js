@@ -1,0 +1,220 @@
+// The host in a worker of the page: the module draws on the CPU, and no file leaves the browser.
+
+/** @import { Action, Applied, Drawn, Given, Host, Progress, ReadPixel, Saved, State } from "./protocol.d.ts" */
+/** @import { Wish } from "./protocol.d.ts" */
+/** @import { Answer, SceneFile } from "./worker_messages.d.ts" */
+
+import { Gone, Outdated, Refused, viewsOf } from "./shared.js";
+
+/** Actions that move the camera alone: what is being baked serves them, too. */
+const OF_CAMERA = ["orbit", "pan", "zoom", "fit", "frame", "look-at"];
+/** Tasks that draw. All others bake. */
+const DRAWING = ["rendering", "exact hits"];
+
+const FAULT = "The module has met a fault or has run out of memory. It starts again with your scene and files.";
+
+/** The name of the scene that is opened. */
+const SCENE = "scene.toml";
+
+/** @typedef {{ done: (value: any) => void, failed: (error: Error) => void }} Waiting */
+
+/** @implements {Host} */
+export class WorkerHost {
+    canEnd = false;
+    /** @type {Worker | null} */ #worker = null;
+    /** @type {Map<number, Waiting>} */ #waiting = new Map();
+    #last = 0;
+    #group = 0;
+    /** @type {Progress} */ #progress = { task: "", part: 0 };
+    /** @type {{ stop: string, isQuick: boolean } | null} */ #drawing = null;
+    /** The files that came in, for a module that starts again. @type {{ group: number, given: Given }[]} */
+    #given = [];
+    /** The scene as it is. */
+    #text;
+    #files;
+    /** Whether the scene has been opened: other requests wait for it. @type {Promise<unknown>} */
+    #opened = Promise.resolve();
+
+    /**
+     * @param {string} text the scene, as a file
+     * @param {Promise<SceneFile[]>} files the files that it names
+     */
+    constructor(text, files) {
+        this.#text = text;
+        this.#files = files;
+        this.#start();
+    }
+
+    /** Starts a module with the scene and all files. */
+    #start() {
+        const worker = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
+        worker.addEventListener("message", ({ data }) => this.#heard(data));
+        worker.addEventListener("error", (event) => {
+            event.preventDefault();
+            this.#lose();
+        });
+        this.#worker = worker;
+        // What is wrong with the scene, the next request says.
+        this.#opened = this.#open().catch(() => {});
+    }
+
+    async #open() {
+        const scene = { path: SCENE, file: new Blob([this.#text]) };
+        const given = this.#given.map(({ group, given: { path, file } }) => ({
+            path: `given/${group}/${path}`,
+            file,
+        }));
+        await this.#post("open", { files: [scene, ...(await this.#files), ...given], scene: SCENE });
+    }
+
+    /**
+     * @param {string} name
+     * @param {unknown} [args]
+     * @returns {Promise<any>}
+     */
+    async #ask(name, args = {}) {
+        await this.#opened;
+        return this.#post(name, args);
+    }
+
+    /**
+     * @param {string} name
+     * @param {unknown} args
+     * @returns {Promise<any>}
+     */
+    #post(name, args) {
+        if (!this.#worker) return Promise.reject(new Gone(FAULT));
+        this.#last += 1;
+        const id = this.#last;
+        this.#worker.postMessage({ id, name, args });
+        return new Promise((done, failed) => this.#waiting.set(id, { done, failed }));
+    }
+
+    /** @param {Answer} answer */
+    #heard(answer) {
+        if ("progress" in answer) {
+            this.#progress = answer.progress;
+            return;
+        }
+        const waiting = this.#waiting.get(answer.id);
+        this.#waiting.delete(answer.id);
+        if ("done" in answer) waiting?.done(answer.done);
+        else if (answer.isFault) {
+            waiting?.failed(new Gone(FAULT));
+            this.#lose();
+        } else waiting?.failed(new Refused(answer.failed));
+    }
+
+    /** Gives up a module that has met a fault. */
+    #lose() {
+        this.#worker?.terminate();
+        this.#worker = null;
+        for (const { failed } of this.#waiting.values()) failed(new Gone(FAULT));
+        this.#waiting.clear();
+    }
+
+    /** @returns {Promise<State>} */
+    async state() {
+        if (!this.#worker) this.#start();
+        const { state, text } = await this.#ask("state");
+        this.#text = text;
+        return state;
+    }
+
+    /**
+     * @param {Action} action
+     * @param {number | null} drag
+     * @returns {Promise<Applied>}
+     */
+    apply(action, drag) {
+        const arranges = "key" in action && ["viewer.divider", "viewer.swapped"].includes(action.key);
+        if (!arranges) this.#endWhatIsOld(OF_CAMERA.includes(action.do));
+        return this.#ask("apply", { action, drag });
+    }
+
+    /** @param {boolean} isOfCamera whether the change moves the camera alone */
+    #endWhatIsOld(isOfCamera) {
+        if (!this.#drawing) return;
+        const draws = DRAWING.includes(this.#progress.task);
+        if (draws ? !this.#drawing.isQuick : !isOfCamera) URL.revokeObjectURL(this.#drawing.stop);
+    }
+
+    /**
+     * @param {Wish} wish
+     * @returns {Promise<Drawn>}
+     */
+    async picture(wish) {
+        const drawn = await this.#stoppable(wish.samples === "one", (stop) =>
+            this.#ask("picture", { wish, stop }),
+        );
+        if (drawn === null) throw new Outdated("another change ended it");
+        const { about, pixels } = drawn;
+        return { about, views: viewsOf(about, pixels.buffer, 0) };
+    }
+
+    /**
+     * @param {[number, number]} at
+     * @returns {Promise<ReadPixel | null>}
+     */
+    async pixel(at) {
+        const found = await this.#stoppable(false, (stop) => this.#ask("pixel", { at, stop }));
+        if (found === undefined) throw new Outdated("another change ended it");
+        return found;
+    }
+
+    /**
+     * @template T
+     * @param {boolean} isQuick
+     * @param {(stop: string) => Promise<T>} work
+     */
+    async #stoppable(isQuick, work) {
+        const stop = URL.createObjectURL(new Blob());
+        this.#drawing = { stop, isQuick };
+        this.#progress = { task: "rendering", part: 0 };
+        try {
+            return await work(stop);
+        } finally {
+            URL.revokeObjectURL(stop);
+            if (this.#drawing?.stop === stop) this.#drawing = null;
+            this.#progress = { task: "", part: 0 };
+        }
+    }
+
+    /** @returns {Promise<Progress>} */
+    progress() {
+        return Promise.resolve(this.#progress);
+    }
+
+    /**
+     * @param {Given[]} files
+     * @param {string | null} key
+     * @param {(part: number) => void} sent
+     * @returns {Promise<Applied>}
+     */
+    async give(files, key, sent) {
+        this.#endWhatIsOld(false);
+        this.#group += 1;
+        const group = this.#group;
+        for (const [number, { path, file }] of files.entries()) {
+            sent(number / files.length);
+            await this.#ask("give", { group, path, file });
+        }
+        sent(1);
+        const applied = await this.#ask("take", { group, key });
+        this.#given.push(...files.map((given) => ({ group, given })));
+        return applied;
+    }
+
+    /**
+     * @param {string} what
+     * @returns {Promise<Saved>}
+     */
+    async save(what) {
+        const { bytes } = await this.#ask("save", { what, stop: null });
+        return { name: what, blob: new Blob([bytes]) };
+    }
+
+    end() {
+        return Promise.resolve();
+    }
+}

@@ -1,0 +1,23 @@
+// Types of what the page and its worker say to each other. Only the type checker reads this file.
+
+/** An address that the page takes back when the work is to end; null for work that goes on. */
+export type Stop = string | null;
+
+/** A request: the name of a call, and what it takes. */
+export interface Request {
+    id: number;
+    name: string;
+    args: unknown;
+}
+
+/** An answer, or a word on progress. */
+export type Answer =
+    | { id: number; done: unknown }
+    | { id: number; failed: string; isFault: boolean }
+    | { progress: { task: string; part: number } };
+
+/** A file with the path by which a scene names it. */
+export interface SceneFile {
+    path: string;
+    file: Blob;
+}
