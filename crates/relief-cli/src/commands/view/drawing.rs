@@ -9,16 +9,15 @@ use relief_core::Watch;
 use relief_maps::Maps;
 use relief_render::RenderInfo;
 use relief_render::false_color::{Judge, Quantity, Scale, quantity_of};
-use relief_scene::{Scene, SceneSpec, Shown};
+use relief_scene::{Scene, SceneError, SceneSpec, Shown};
 use relief_session::Seen;
 use serde_json::{Value, json};
 
 use super::colors;
 use super::pane::{Painted, Pane};
 use super::pixel::Looked;
-use crate::advice;
+use super::said;
 use crate::commands::maps::{By, of_reading};
-use crate::commands::scene_arguments::of_scene_file;
 use crate::failure::Failure;
 use crate::lanes;
 
@@ -142,14 +141,22 @@ impl Drawing {
                     seen.get_or_insert_with(|| Seen::of(&whole));
                     scenes.push(Ok(reduced(&whole, asked)?));
                 }
-                Err(error) if scenes.is_empty() => return Err(of_scene_file(error).into()),
-                Err(error) => scenes.push(Err(advice::with_key(&error, advice::of_scene(&error)))),
+                Err(error) if scenes.is_empty() => return Err(NotDrawn::Failed(said::of_scene(&error))),
+                Err(error) => scenes.push(Err(said::of_scene(&error))),
             }
         }
         let mut told = BTreeSet::new();
         notes.retain(|note| told.insert(note.clone()));
         let seen = seen.ok_or_else(|| NotDrawn::Failed("there is nothing to show".to_owned()))?;
         Ok((scenes, notes, seen))
+    }
+
+    /// Loads a scene. The first view, if it is of the same scene, then reads no file again.
+    pub fn load(&mut self, spec: &SceneSpec) -> Result<(), SceneError> {
+        if self.panes.is_empty() {
+            self.panes.push(Pane::default());
+        }
+        self.panes[0].reader.load(spec).map(drop)
     }
 
     /// What is under a pixel of the last views at rest; none if they have changed since.

@@ -2,6 +2,7 @@
 
 mod answer;
 mod colors;
+mod coming;
 mod door;
 mod drawing;
 mod dropped;
@@ -10,9 +11,12 @@ mod http;
 mod page;
 mod pane;
 mod pixel;
+mod said;
 mod saved;
+mod scene_files;
 mod script;
 mod serve;
+mod tried;
 mod viewer;
 
 use std::path::PathBuf;
@@ -52,7 +56,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE.json")]
     script: Option<PathBuf>,
     /// Folder for the scene and the pictures of a script, created if missing [default: nothing is written]
-    #[arg(short, long, value_name = "DIR", requires = "script")]
+    #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     /// Port of the page [default: a free one]
     #[arg(long, value_name = "N", conflicts_with = "script")]
@@ -119,8 +123,12 @@ impl Arguments {
 
 /// Applies a script, or opens the page.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    match &arguments.script {
-        Some(script) => script::run(arguments, script),
-        None => serve::run(arguments),
+    match (&arguments.script, &arguments.output) {
+        (Some(script), _) => script::run(arguments, script),
+        // Another flag that excludes a script would hide this from the reader of the command line.
+        (None, Some(_)) => {
+            Err(Failure::usage("--output: is of a script: give --script as well, or save from the page"))
+        }
+        (None, None) => serve::run(arguments),
     }
 }
