@@ -28,7 +28,7 @@ export function start(host) {
     const panel = new PanelView({ session, give, failed });
     const camera = new Camera(canvas, session, failed);
     new Toolbar(host, session, camera);
-    new Saves(host, session, messages);
+    new Saves({ host, session, messages, surface: () => panel.surface });
     new Picture({
         ...{ canvas, host, session, messages },
         pane: byId("pane"),
@@ -37,8 +37,12 @@ export function start(host) {
     });
     session.listen({
         state: (state) => (panel.show(state), named(state)),
+        worked: () => messages.clear(),
         gone: (gone) => messages.gone(gone),
     });
+    for (const event of ["visibilitychange", "focus"]) {
+        window.addEventListener(event, () => document.visibilityState === "visible" && session.look(), true);
+    }
     session.readState();
 }
 

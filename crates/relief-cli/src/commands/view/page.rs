@@ -21,6 +21,7 @@ const FILES: &[PageFile] = &page![
     "camera.js": SCRIPT,
     "controls.js": SCRIPT,
     "elements.js": SCRIPT,
+    "entry.js": SCRIPT,
     "fields.js": SCRIPT,
     "files.js": SCRIPT,
     "host.js": SCRIPT,
@@ -39,6 +40,7 @@ const FILES: &[PageFile] = &page![
     "toolbar.js": SCRIPT,
     "values.js": SCRIPT,
     "view.css": CSS,
+    "words.js": SCRIPT,
 ];
 
 /// Returns a file by its name; the page itself has none.
