@@ -1,12 +1,13 @@
 // A control of the panel: its label, its field, what it means, and why a value was refused.
 
-/** @import { Action, Control, Value } from "./protocol.d.ts" */
+/** @import { Action, Applied, Control, Value } from "./protocol.d.ts" */
 /** @import { Field } from "./fields.js" */
 /** @import { Session } from "./session.js" */
 
 import { fieldOf, shapeOf } from "./fields.js";
 import { element, newId } from "./elements.js";
 import { Gone } from "./shared.js";
+import { otherWords, plain } from "./words.js";
 
 /**
  * @typedef {object} Workshop
@@ -26,6 +27,8 @@ export class ControlRow {
     #about = element("p", { class: "about", id: this.#ids.about });
     #error = element("p", { class: "error", id: this.#ids.error, role: "alert" });
     #shape = "";
+    /** Revision of the scene of which the error was said. */
+    #refused = 0;
     /** @type {Field} */ #field;
 
     /**
@@ -46,6 +49,7 @@ export class ControlRow {
         );
         this.#lose.addEventListener("click", () => {
             this.#field.focus();
+            this.#field.back?.();
             this.#takeAway();
         });
         this.#takeDrops();
@@ -64,7 +68,7 @@ export class ControlRow {
             set: (value, drag = null) => this.#set(value, drag),
             lose: () => this.#takeAway(),
             burst: () => session.burst(),
-            refuse: (error) => this.#refuse(error),
+            refuse: (error) => this.#say(error),
             give: (file) => give(file, this.#control.key),
         });
     }
@@ -90,6 +94,8 @@ export class ControlRow {
         this.#lose.setAttribute("aria-label", `default of ${label}`);
         this.#lose.title = `Take the value away: the default of ${label} holds`;
         this.#field.show(control);
+        // What was refused stays with its text; where there is none, the next change that works ends it.
+        if (!this.#field.holds && this.#workshop.session.revision !== this.#refused) this.#say("");
     }
 
     /** Whether the scene has a value, not the default. */
@@ -103,8 +109,10 @@ export class ControlRow {
      */
     matches(words) {
         const { key, label, about } = this.#control;
-        const text = `${label} ${key} ${about}`.toLowerCase();
-        return words.split(/\s+/).every((word) => text.includes(word));
+        const text = plain(`${label} ${key} ${about} ${otherWords(key)}`);
+        return plain(words)
+            .split(/\s+/)
+            .every((word) => text.includes(word));
     }
 
     /**
@@ -112,38 +120,37 @@ export class ControlRow {
      * @param {number | null} drag
      */
     #set(value, drag) {
-        this.#apply({ do: "set", key: this.#control.key, value }, drag);
+        return this.#apply({ do: "set", key: this.#control.key, value }, drag);
     }
 
     #takeAway() {
-        if (this.#control.value === null) this.show(this.#control);
-        else this.#apply({ do: "lose", key: this.#control.key }, null);
+        return this.#apply({ do: "lose", key: this.#control.key }, null);
     }
 
     /**
      * @param {Action} action
      * @param {number | null} drag
+     * @returns {Promise<Applied | null>} what changed; null: it was refused
      */
     async #apply(action, drag) {
         try {
-            await this.#workshop.session.apply(action, drag);
+            const applied = await this.#workshop.session.apply(action, drag);
             this.#say("");
+            return applied;
         } catch (error) {
-            this.#refuse(error instanceof Gone ? "" : error instanceof Error ? error.message : String(error));
+            this.#say(error instanceof Gone ? "" : error instanceof Error ? error.message : String(error));
+            this.#field.show(this.#control);
+            return null;
         }
-    }
-
-    /** @param {string} error why the value goes back */
-    #refuse(error) {
-        this.#say(error);
-        this.#field.show(this.#control, true);
     }
 
     /** @param {string} error why a value was refused; empty: it was not */
     #say(error) {
         setText(this.#error, error);
-        if (error === "") this.#field.input.removeAttribute("aria-invalid");
-        else this.#field.input.setAttribute("aria-invalid", "true");
+        if (error === "") return this.#field.input.removeAttribute("aria-invalid");
+        this.#refused = this.#workshop.session.revision;
+        this.#field.input.setAttribute("aria-invalid", "true");
+        if (this.node.checkVisibility()) this.node.scrollIntoView({ block: "nearest" });
     }
 
     /** Takes a single file that is dropped here. */

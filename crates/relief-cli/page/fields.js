@@ -1,8 +1,9 @@
 // Fields in which a value is entered, one for each kind of control, but for numbers.
 
-/** @import { Control, Value } from "./protocol.d.ts" */
+/** @import { Applied, Control, Value } from "./protocol.d.ts" */
 
 import { element, newId } from "./elements.js";
+import { Entry, enter } from "./entry.js";
 import { NumberField, NumbersField } from "./number_fields.js";
 import { textOf, written } from "./values.js";
 
@@ -12,18 +13,21 @@ import { textOf, written } from "./values.js";
  * @property {string} id of the field that the label names
  * @property {string} label id of the label
  * @property {string} about ids of what describes the field
- * @property {(value: Value, drag?: number | null) => void} set
- * @property {() => void} lose
+ * @property {(value: Value, drag?: number | null) => Promise<Applied | null>} set tells what changed; null: it
+ * was refused
+ * @property {() => Promise<Applied | null>} lose
  * @property {() => number} burst number of the drag that key presses in a row belong to
- * @property {(error: string) => void} refuse says why nothing can be set, and shows the value again
+ * @property {(error: string) => void} refuse says why nothing can be set; empty: it was taken back
  * @property {(file: File) => void} give
  */
 
 /**
  * @typedef {object} Field
  * @property {HTMLElement} node
- * @property {(control: Control, back?: boolean) => void} show shows the control's value. What the
- * user is typing stays, unless the value goes back.
+ * @property {(control: Control) => void} show shows the control's value. A text that the user is typing, or
+ * that was refused, stays.
+ * @property {boolean} [holds] whether it holds a text that the scene does not have
+ * @property {() => void} [back] takes back what was typed, and what was said of it
  * @property {() => void} focus
  * @property {HTMLElement} input the element that is invalid when a value is refused
  */
@@ -141,7 +145,8 @@ class NameField {
  */
 class TextField {
     #isWritten;
-    #shown = "";
+    #around;
+    #entry;
     #list = element("datalist", { id: newId() });
 
     /**
@@ -150,6 +155,7 @@ class TextField {
      */
     constructor(control, around) {
         this.#isWritten = control.kind === "other";
+        this.#around = around;
         const attributes = {
             type: "text",
             id: around.id,
@@ -157,13 +163,12 @@ class TextField {
             spellcheck: "false",
         };
         this.input = element("input", { ...attributes, autocomplete: "off", autocapitalize: "off" });
+        this.#entry = new Entry(this.input);
         this.node = element("div", { class: "field" }, this.input);
         if (control.kind === "name-or-file") this.#offer(control);
         if (control.is_file || control.kind === "name-or-file") this.node.append(...chooser(control, around));
-        this.input.addEventListener("change", () => this.#changed(around));
-        this.input.addEventListener("keydown", (event) => {
-            if (event.key === "Escape") this.input.value = this.#shown;
-        });
+        this.input.addEventListener("change", () => this.#changed());
+        this.input.addEventListener("keydown", ({ key }) => key === "Escape" && this.back());
     }
 
     /** @param {Control} control */
@@ -176,26 +181,30 @@ class TextField {
         this.node.append(this.#list);
     }
 
-    /** @param {Around} around */
-    #changed(around) {
-        const text = this.input.value;
-        if (text === this.#shown) return;
-        if (text.trim() === "") around.lose();
-        else around.set(this.#isWritten ? text : written(text));
+    #changed() {
+        const { set, lose } = this.#around;
+        if (!this.#entry.isTyped) return this.back();
+        const text = this.#entry.value;
+        const value = this.#isWritten ? text : written(text);
+        enter([this.#entry], () => (text === "" ? lose() : set(value)));
     }
 
-    /**
-     * @param {Control} control
-     * @param {boolean} back
-     */
-    show(control, back = false) {
+    back() {
+        this.#entry.back();
+        this.#around.refuse("");
+    }
+
+    /** @param {Control} control */
+    show(control) {
         const text = this.#isWritten ? (control.value ?? "") : textOf(control.value);
-        const isTyping = document.activeElement === this.input && this.input.value !== this.#shown;
-        if (!isTyping || back || text !== this.#shown) this.input.value = text;
-        this.#shown = this.input.defaultValue = text;
+        this.#entry.follow(text);
         const standard = control.is_file ? "none" : "default";
         this.input.placeholder = control.default === null ? standard : `default: ${textOf(control.default)}`;
         this.input.title = text;
+    }
+
+    get holds() {
+        return this.#entry.isTyped;
     }
 
     focus() {

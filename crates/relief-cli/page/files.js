@@ -48,16 +48,18 @@ export class Files {
      */
     async #send(files, key) {
         const messages = this.#messages;
+        const what = files.length === 1 ? (files[0]?.path ?? "") : `${files.length} files`;
         messages.clear();
-        messages.say(files.length === 1 ? `Sending ${files[0]?.path}` : `Sending ${files.length} files`);
+        messages.say(`Sending ${what}`);
         try {
             const applied = await messages.during(this.#host.give(files, key, (part) => messages.sent(part)));
             this.#session.took(applied);
-            messages.say(`Changed: ${applied.changed.join(", ") || "nothing"}`);
+            messages.say(applied.changed.length > 0 ? `Opened ${what}` : `${what}: nothing has changed`);
         } catch (error) {
             messages.say("");
             messages.error(error);
             this.#session.met(error);
+            this.#session.look();
         }
     }
 

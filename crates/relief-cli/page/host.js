@@ -71,10 +71,12 @@ export class HttpHost {
 
     /**
      * @param {string} what
+     * @param {{ surface: number, revision: number }} of the surface of a method, and the scene that is shown
      * @returns {Promise<Saved>}
      */
-    async save(what) {
-        const answer = await ask(`save?what=${encodeURIComponent(what)}`);
+    async save(what, { surface, revision }) {
+        const query = `what=${encodeURIComponent(what)}&surface=${surface}&revision=${revision}`;
+        const answer = await ask(`save?${query}`);
         const name = fileName(answer.headers.get("Content-Disposition") ?? "") ?? what;
         return { name, blob: await arrived(answer.blob()) };
     }

@@ -52,9 +52,10 @@ export class Messages {
         this.#errors.append(message);
     }
 
-    /** Removes errors: what the user did next has worked. */
+    /** Removes what was said of actions before: what the user did next has worked. */
     clear() {
         this.#errors.replaceChildren();
+        this.say("");
     }
 
     /** @param {boolean} gone */

@@ -1,13 +1,14 @@
-// Fields for numbers: one with a slider, or several beside each other. Both also take a text, such as "5cm".
+// Fields for numbers: one with a slider, or several beside each other. Both take lengths such as "5cm".
 
 /** @import { Control } from "./protocol.d.ts" */
 /** @import { Around, Field } from "./fields.js" */
 /** @import { Scale } from "./scale.js" */
 
 import { element } from "./elements.js";
+import { Entry, enter } from "./entry.js";
 import { newNumber } from "./shared.js";
 import { numberAt, placeOf, PLACES, scaleOf } from "./scale.js";
-import { numberOf, numbersOf, stepped, textOf } from "./values.js";
+import { numberOf, numbersOf, stepped, textOf, written } from "./values.js";
 
 /** Steps of the page keys. */
 const PAGE = 10;
@@ -19,17 +20,13 @@ export class NumberField {
     /** @type {Scale | null} */ #scale = null;
     /** @type {number | null} */ #drag = null;
     /** @type {Control | null} */ #control = null;
-    #shown = "";
+    #entry;
 
     /** @param {Around} around */
     constructor(around) {
         this.#around = around;
-        this.input = element("input", {
-            type: "number",
-            id: around.id,
-            step: "any",
-            "aria-describedby": around.about,
-        });
+        this.input = numberInput({ id: around.id, "aria-describedby": around.about });
+        this.#entry = new Entry(this.input);
         this.node = element("div", { class: "field" }, this.#slider, this.input);
         this.#slider.setAttribute("aria-labelledby", around.label);
         this.input.addEventListener("change", () => this.#typed());
@@ -41,34 +38,21 @@ export class NumberField {
         }
     }
 
-    /**
-     * @param {Control} control
-     * @param {boolean} back
-     */
-    show(control, back = false) {
+    /** @param {Control} control */
+    show(control) {
         const isText = control.value !== null && numberOf(control.value) === null;
         const text = textOf(control.value ?? control.default);
         const number = numberOf(text);
-        this.#limit(control, isText);
-        const isTyping = document.activeElement === this.input && this.input.value !== this.#shown;
-        const shown = number !== null && !isText ? `${number}` : isText ? text : "";
-        if (!isTyping || back || shown !== this.#shown) this.input.value = shown;
-        this.#shown = this.input.defaultValue = shown;
+        this.input.inputMode = keyboardFor(control);
+        this.#entry.follow(number !== null && !isText ? `${number}` : isText ? text : "");
         this.input.placeholder = control.default === null ? "default" : text;
-        this.node.classList.toggle("default", control.value === null);
+        this.node.classList.toggle("default", control.value === null && !this.#entry.isTyped);
         this.#control = control;
         if (this.#drag === null) this.#slide(control, number);
     }
 
-    /**
-     * @param {Control} control
-     * @param {boolean} isText
-     */
-    #limit({ min, max, kind }, isText) {
-        this.input.type = isText ? "text" : "number";
-        this.input.inputMode = kind === "whole" && (min ?? -1) >= 0 ? "numeric" : "decimal";
-        this.input.min = min === null ? "" : `${min}`;
-        this.input.max = max === null ? "" : `${max}`;
+    get holds() {
+        return this.#entry.isTyped;
     }
 
     /**
@@ -94,38 +78,41 @@ export class NumberField {
     #slid() {
         if (!this.#scale) return;
         const number = numberAt(this.#scale, Number(this.#slider.value) / PLACES);
-        this.#enter(`${number}`);
+        this.#entry.put(`${number}`);
         this.#say(number);
         this.#around.set(number, this.#drag ?? this.#around.burst());
     }
 
-    /** @param {string} text what the field shows, and the scene gets */
-    #enter(text) {
-        this.input.value = this.input.defaultValue = this.#shown = text;
-    }
-
     #released() {
         this.#drag = null;
-        if (this.#control) this.#slide(this.#control, numberOf(this.#shown));
+        if (this.#control) this.show(this.#control);
     }
 
     #typed() {
-        const text = this.input.value.trim();
-        if (text === this.#shown) return;
-        // A browser hands out no text of a number field that is no number.
-        if (text === "" && this.input.validity.badInput) return this.#around.refuse("This is not a number.");
-        if (text === "") return this.#around.lose();
-        this.#around.set(numberOf(text) ?? text);
+        if (!this.#control) return;
+        if (!this.#entry.isTyped) return this.back();
+        const text = this.#entry.value;
+        const part = partOf(text, this.#control);
+        if (part.wrong !== null) return this.#around.refuse(part.wrong);
+        const { set, lose } = this.#around;
+        enter([this.#entry], () => (text === "" ? lose() : set(part.number ?? text)));
+    }
+
+    back() {
+        this.#entry.back();
+        this.#around.refuse("");
     }
 
     /** @param {KeyboardEvent} event */
     #key(event) {
+        if (event.key === "Escape") this.back();
         const steps = stepsOf(event);
-        if (event.key === "Escape") this.input.value = this.#shown;
-        if (steps === 0 || this.input.type !== "number" || !this.#control) return;
+        const { value } = this.#entry;
+        const now = numberOf(value);
+        if (steps === 0 || !this.#control || (value !== "" && now === null)) return;
         event.preventDefault();
-        const number = nextNumber(this.#control, numberOf(this.input.value), steps);
-        this.#enter(`${number}`);
+        const number = nextNumber(this.#control, now, steps);
+        this.#entry.put(`${number}`);
         this.#around.set(number, this.#around.burst());
     }
 
@@ -137,11 +124,11 @@ export class NumberField {
 /** @implements {Field} */
 export class NumbersField {
     #around;
-    #inputs;
+    #entries;
     #text;
     #button;
     #count;
-    #shown = "";
+    /** @type {Control | null} */ #control = null;
 
     /**
      * @param {number} count
@@ -151,54 +138,52 @@ export class NumbersField {
         this.#around = around;
         this.#count = count;
         const described = { "aria-labelledby": around.label, "aria-describedby": around.about };
-        this.#inputs = Array.from({ length: count }, () => element("input", { type: "number", step: "any" }));
-        this.#text = element("input", {
-            type: "text",
-            id: around.id,
-            ...described,
-            hidden: true,
-            spellcheck: "false",
-        });
+        this.#entries = Array.from({ length: count }, () => new Entry(numberInput({})));
+        const attributes = { type: "text", id: around.id, ...described, hidden: true, spellcheck: "false" };
+        this.#text = new Entry(element("input", attributes));
         this.#button = element(
             "button",
             { type: "button", class: "as-text", "aria-pressed": "false" },
             "Text",
         );
+        const inputs = this.#entries.map(({ input }) => input);
         this.node = element(
             "fieldset",
             { class: "field", ...described },
-            ...this.#inputs,
-            this.#text,
+            ...inputs,
+            this.#text.input,
             this.#button,
         );
         this.input = this.node;
         this.node.addEventListener("change", () => this.#changed());
-        this.#button.addEventListener("click", () => this.#write(this.#text.hidden === true));
-        for (const input of this.#inputs)
-            input.addEventListener("keydown", (event) => this.#key(event, input));
+        this.node.addEventListener("keydown", ({ key }) => key === "Escape" && this.back());
+        this.#button.addEventListener("click", () => this.#write(!this.#isText));
+        for (const entry of this.#entries)
+            entry.input.addEventListener("keydown", (event) => this.#key(event, entry));
     }
 
-    /**
-     * @param {Control} control
-     * @param {boolean} back
-     */
-    show(control, back = false) {
+    /** @param {Control} control */
+    show(control) {
         const now = control.value ?? control.default;
         const numbers = numbersOf(now, this.#count);
-        const shown = now ?? "";
-        const isOther = back || shown !== this.#shown;
-        const stays = !isOther && this.#isHalf();
+        this.#control = control;
         this.#button.setAttribute("aria-label", `Write ${control.label} as text`);
-        this.#inputs.forEach((input, place) => {
-            this.#describe(input, place, control);
-            input.defaultValue = numbers ? `${numbers[place]}` : "";
-            if (!stays) input.value = input.defaultValue;
+        this.#entries.forEach((entry, place) => {
+            this.#describe(entry.input, place, control);
+            entry.follow(numbers ? `${numbers[place]}` : "");
         });
-        this.#text.defaultValue = textOf(now);
-        if (isOther || document.activeElement !== this.#text) this.#text.value = textOf(now);
-        this.#shown = shown;
-        this.node.classList.toggle("default", control.value === null);
-        if (control.value !== null && !numbers) this.#write(true);
+        this.#text.follow(textOf(now));
+        this.node.classList.toggle("default", control.value === null && !this.holds);
+        if (control.value !== null && !numbers && !this.holds) this.#write(true);
+    }
+
+    get holds() {
+        return [this.#text, ...this.#entries].some((entry) => entry.isTyped);
+    }
+
+    /** Whether one field for a text is shown in place of the numbers. */
+    get #isText() {
+        return this.#text.input.hidden !== true;
     }
 
     /**
@@ -206,18 +191,10 @@ export class NumbersField {
      * @param {number} place
      * @param {Control} control
      */
-    #describe(input, place, { label, min, max, step }) {
-        input.setAttribute("aria-label", `${label} ${place + 1} of ${this.#count}`);
-        input.min = min === null ? "" : `${min}`;
-        input.max = max === null ? "" : `${max}`;
+    #describe(input, place, control) {
+        input.setAttribute("aria-label", `${control.label} ${place + 1} of ${this.#count}`);
+        input.inputMode = keyboardFor(control);
         input.placeholder = "default";
-        input.dataset["step"] = `${step ?? 1}`;
-    }
-
-    /** Whether some of the numbers have been entered and others not. */
-    #isHalf() {
-        const empty = this.#inputs.filter((input) => input.value === "").length;
-        return empty > 0 && empty < this.#count;
     }
 
     /**
@@ -225,46 +202,108 @@ export class NumbersField {
      * @param {boolean} asText
      */
     #write(asText) {
-        this.#text.hidden = !asText;
-        for (const input of this.#inputs) input.hidden = asText;
+        this.#text.input.hidden = !asText;
+        for (const { input } of this.#entries) input.hidden = asText;
         this.#button.setAttribute("aria-pressed", `${asText}`);
     }
 
     #changed() {
-        if (!this.#text.hidden) return this.#changedText(this.#text.value.trim());
-        const numbers = this.#inputs.map((input) => numberOf(input.value));
-        const given = numbers.filter((number) => number !== null);
-        if (given.length === 0) this.#around.lose();
-        else if (given.length === this.#count) this.#around.set(given);
+        const { set, lose, refuse } = this.#around;
+        if (!this.#control) return;
+        if (!this.holds) return this.back();
+        if (this.#isText) {
+            const text = this.#text.value;
+            return void enter([this.#text], () => (text === "" ? lose() : set(asWritten(text))));
+        }
+        const control = this.#control;
+        const given = this.#entries.filter(({ value }) => value !== "");
+        const parts = given.map(({ value }) => ({ value, ...partOf(value, control) }));
+        const wrong = parts.find((part) => part.wrong !== null)?.wrong;
+        if (wrong) return refuse(wrong);
+        if (given.length === 0) enter(this.#entries, lose);
+        else if (given.length === this.#count) enter(this.#entries, () => set(listOf(parts)));
     }
 
-    /** @param {string} text */
-    #changedText(text) {
-        if (text === textOf(this.#shown)) return;
-        if (text === "") this.#around.lose();
-        else this.#around.set(text);
+    back() {
+        for (const entry of [this.#text, ...this.#entries]) entry.back();
+        this.#around.refuse("");
     }
 
     /**
      * @param {KeyboardEvent} event
-     * @param {HTMLInputElement} input
+     * @param {Entry} entry
      */
-    #key(event, input) {
+    #key(event, entry) {
         const steps = stepsOf(event);
-        if (steps === 0) return;
+        const now = numberOf(entry.value);
+        if (steps === 0 || !this.#control || (entry.value !== "" && now === null)) return;
         event.preventDefault();
-        const { min, max } = input;
-        const limits = { min: min === "" ? null : Number(min), max: max === "" ? null : Number(max) };
-        const step = Number(input.dataset["step"]);
-        input.value = `${nextNumber({ ...limits, step }, numberOf(input.value), steps)}`;
-        const numbers = this.#inputs.map((each) => numberOf(each.value)).filter((number) => number !== null);
+        entry.put(`${nextNumber(this.#control, now, steps)}`);
+        const numbers = this.#entries.map(({ value }) => numberOf(value)).filter((number) => number !== null);
         if (numbers.length === this.#count) this.#around.set(numbers, this.#around.burst());
     }
 
     focus() {
-        const first = this.#text.hidden ? this.#inputs[0] : this.#text;
-        first?.focus();
+        const first = this.#isText ? this.#text : this.#entries[0];
+        first?.input.focus();
     }
+}
+
+/**
+ * A field for a number. It is one for texts: a browser's own takes letters and commas away without a word.
+ * @param {Record<string, string>} attributes
+ */
+function numberInput(attributes) {
+    const plain = { type: "text", class: "number", autocomplete: "off", autocapitalize: "off" };
+    return element("input", { ...plain, spellcheck: "false", ...attributes });
+}
+
+/**
+ * The keyboard of a touch screen: units have letters, and few keyboards of numbers have a minus.
+ * @param {Control} control
+ */
+function keyboardFor({ kind, min, takes_unit }) {
+    if (takes_unit || (min ?? -1) < 0) return "text";
+    return kind === "whole" ? "numeric" : "decimal";
+}
+
+/**
+ * What was typed for a number: the number, or none if it is a text for the scene; and what is wrong with it.
+ * @param {string} text
+ * @param {Control} control
+ * @returns {{ number: number | null, wrong: string | null }}
+ */
+function partOf(text, { takes_unit, unit }) {
+    const number = numberOf(text);
+    const comma = /^([+-]?\d*),(\d+)\s*([^\d,]*)$/.exec(text);
+    if (number !== null || text === "") return { number, wrong: null };
+    if (comma) {
+        const [, whole, part, behind] = comma;
+        return { number, wrong: `“${text}” has a comma: write ${whole || "0"}.${part}${behind}.` };
+    }
+    if (takes_unit) return { number, wrong: null };
+    const plain = unit === "" ? "a number" : `a number, in ${unit}`;
+    return { number, wrong: `“${text}” is not ${plain}.` };
+}
+
+/**
+ * A list of numbers or a text, such as "az=315,alt=45", as a scene file writes it.
+ * @param {string} text
+ */
+function asWritten(text) {
+    if (text.startsWith("[")) return text;
+    const isList = text.split(",").every((part) => numberOf(part) !== null);
+    return isList ? `[${text}]` : written(text);
+}
+
+/**
+ * Numbers as a list, or as the text of one if some are lengths with units.
+ * @param {{ value: string, number: number | null }[]} parts
+ */
+function listOf(parts) {
+    const numbers = parts.map(({ number }) => number).filter((number) => number !== null);
+    if (numbers.length === parts.length) return numbers;
+    return `[${parts.map(({ value, number }) => number ?? written(value)).join(", ")}]`;
 }
 
 /**

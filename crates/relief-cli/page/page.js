@@ -34,7 +34,7 @@ export function start(host) {
     const reading = new Reading(canvas, host, session, views, failed);
     const boxes = new ViewBoxes(session, failed, (pixel) => reading.mark(pixel));
     new Toolbar(host, session, camera, views);
-    new Saves(host, session, messages);
+    new Saves({ host, session, messages, surface: () => panel.surface });
     new Picture({
         ...{ canvas, host, session, messages, views },
         pane: byId("pane"),
@@ -47,8 +47,12 @@ export function start(host) {
     });
     session.listen({
         state: (state) => (panel.show(state), named(state)),
+        worked: () => messages.clear(),
         gone: (gone) => messages.gone(gone),
     });
+    for (const event of ["visibilitychange", "focus"]) {
+        window.addEventListener(event, () => document.visibilityState === "visible" && session.look(), true);
+    }
     session.readState();
 }
 

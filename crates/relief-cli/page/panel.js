@@ -17,6 +17,10 @@ export class PanelView {
     #none = byId("no-match");
     /** @type {Map<string, Sheet>} */ #known = new Map();
     #chosen = "surface 0";
+    /** The tab of a surface that is being added. @type {string | null} */ #added = null;
+    /** How far each tab was scrolled. @type {Map<string, number>} */ #places = new Map();
+    #surfaces = 1;
+    #surface = 0;
 
     /** @param {Workshop} workshop */
     constructor(workshop) {
@@ -34,6 +38,7 @@ export class PanelView {
             return sheet;
         });
         this.#known = new Map(sheets.map((sheet) => [sheet.id, sheet]));
+        this.#surfaces = panel.surfaces.length;
         if (!this.#known.has(this.#chosen)) this.#chosen = "surface 0";
         reconcile(
             this.#tabs,
@@ -43,7 +48,15 @@ export class PanelView {
             this.#sheets,
             sheets.map(({ node }) => node),
         );
-        this.#showFilter();
+        const added = this.#added;
+        if (added === null || !this.#known.has(added)) return this.#showFilter();
+        this.#added = null;
+        this.#choose(added);
+    }
+
+    /** The number of the surface whose tab is open, or was open last. */
+    get surface() {
+        return Math.min(this.#surface, this.#surfaces - 1);
     }
 
     /** @param {Panel} panel */
@@ -67,8 +80,11 @@ export class PanelView {
 
     /** @param {string} id */
     #choose(id) {
+        this.#places.set(this.#chosen, this.#sheets.scrollTop);
         this.#chosen = id;
+        this.#surface = this.#known.get(id)?.number ?? this.#surface;
         this.#showFilter();
+        this.#sheets.scrollTop = this.#places.get(id) ?? 0;
     }
 
     /** Shows the chosen tab, or all controls that the filter finds. */
@@ -100,8 +116,10 @@ export class PanelView {
 
     async #add() {
         try {
+            this.#added = `surface ${this.#surfaces}`;
             await this.#workshop.session.apply({ do: "add-surface" });
         } catch (error) {
+            this.#added = null;
             this.#workshop.failed(error);
         }
     }
@@ -115,7 +133,7 @@ class Sheet {
     #heading = element("h3", {});
     #remove = element("button", { type: "button", class: "remove" }, "Remove this surface");
     #list = element("div", {});
-    /** @type {number | null} */ #number = null;
+    /** The surface that can be removed. @type {number | null} */ #number = null;
 
     /**
      * @param {string} id
@@ -192,6 +210,11 @@ class Sheet {
         this.#heading.hidden = !isFiltered;
         this.node.hidden = isFiltered ? this.node.classList.contains("empty") : !isChosen;
         this.#remove.hidden = isFiltered || this.#number === null;
+    }
+
+    /** The surface of several; null: the only one, or none. */
+    get number() {
+        return this.#number;
     }
 
     async #removeSurface() {

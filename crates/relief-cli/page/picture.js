@@ -99,6 +99,7 @@ export class Picture {
         canvas.setAttribute("aria-busy", "false");
         if (this.#quick) this.#part = nextPart(this.#part, performance.now() - begun);
         this.#show(drawn, wish);
+        session.saw(drawn.about.revision);
     }
 
     /** @returns {Wish} */

@@ -20,6 +20,8 @@ export interface Control {
     about: string;
     kind: Kind;
     unit: string;
+    /** Whether a number may be a text with its unit, such as "5cm". */
+    takes_unit: boolean;
     min: number | null;
     max: number | null;
     step: number | null;
@@ -39,6 +41,8 @@ export interface Panel {
 export interface Save {
     what: string;
     label: string;
+    /** Whether it is made of one surface. */
+    of_surface: boolean;
 }
 
 export interface State {
@@ -162,6 +166,7 @@ export interface Host {
     pixel(at: [number, number]): Promise<ReadPixel | null>;
     progress(): Promise<Progress>;
     give(files: Given[], key: string | null, sent: (part: number) => void): Promise<Applied>;
-    save(what: string): Promise<Saved>;
+    /** Fails with `Outdated` if the scene has another revision. */
+    save(what: string, of: { surface: number; revision: number }): Promise<Saved>;
     end(): Promise<void>;
 }

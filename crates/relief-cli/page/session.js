@@ -2,7 +2,7 @@
 
 /** @import { Action, Applied, Host, State } from "./protocol.d.ts" */
 
-import { Gone, newNumber } from "./shared.js";
+import { Gone, Refused, newNumber } from "./shared.js";
 
 /** Milliseconds without input after which the view is at rest. */
 const REST = 150;
@@ -21,7 +21,8 @@ const RETRY = 2000;
  * @typedef {object} Listener
  * @property {(state: State) => void} [state] the panel may differ
  * @property {(undo: [boolean, boolean]) => void} [undo]
- * @property {(keys: string[]) => void} [changed] the picture may differ: these keys do
+ * @property {(keys: string[]) => void} [changed] the picture may differ: these keys do, or ""
+ * @property {() => void} [worked] an action of this page has worked
  * @property {() => void} [rested] the view has come to rest
  * @property {(gone: boolean) => void} [gone] the host has gone, or is back
  */
@@ -33,6 +34,8 @@ export class Session {
     #sending = false;
     #gone = false;
     #moving = false;
+    /** Revision of the scene that the page knows; null: none. @type {number | null} */
+    #revision = null;
     #stateWanted = false;
     #stateAsked = false;
     /** @type {number | undefined} */ #rest;
@@ -58,6 +61,11 @@ export class Session {
     /** Whether the view moves: input came a moment ago. */
     get moving() {
         return this.#moving;
+    }
+
+    /** The revision of the scene that the page shows; -1 before the first. */
+    get revision() {
+        return this.#revision ?? -1;
     }
 
     /** The number of a burst of keys or turns of the wheel: one drag until the view is at rest. */
@@ -124,6 +132,8 @@ export class Session {
         } catch (error) {
             this.met(error);
             for (const tell of failed) tell(error);
+            // It may be refused because another page has changed the scene.
+            if (error instanceof Refused) this.look();
         } finally {
             this.#sending = false;
             this.flush();
@@ -136,10 +146,39 @@ export class Session {
      */
     took(applied) {
         this.#tell((listener) => listener.undo?.(applied.undo));
-        if (applied.changed.length === 0) return;
-        this.#tell((listener) => listener.changed?.(applied.changed));
+        this.#tell((listener) => listener.worked?.());
+        const { changed, revision } = applied;
+        // Of changes that another page has made, the keys are not known.
+        const own = (this.#revision ?? revision) + (changed.length > 0 ? 1 : 0);
+        const keys = revision > own ? [""] : changed;
+        this.#isNews(revision);
+        if (keys.length === 0) return;
+        this.#tell((listener) => listener.changed?.(keys));
         this.#stateWanted = true;
         if (!this.#moving) this.readState();
+    }
+
+    /**
+     * Takes note of a revision. Returns whether another page has made it.
+     * @param {number} revision
+     */
+    #isNews(revision) {
+        const isNews = this.#revision !== null && revision > this.#revision;
+        this.#revision = Math.max(revision, this.#revision ?? revision);
+        return isNews;
+    }
+
+    /**
+     * Says which revision a picture is of: another page may have made it.
+     * @param {number} revision
+     */
+    saw(revision) {
+        if (this.#revision !== null && revision > this.#revision && !this.#sending) this.look();
+    }
+
+    /** Looks whether another page has changed the scene, such as when this one is looked at again. */
+    look() {
+        if (!this.#gone && !this.#moving) this.readState();
     }
 
     /** Reads the panel again. */
@@ -151,8 +190,10 @@ export class Session {
             while (this.#stateWanted) {
                 this.#stateWanted = false;
                 const state = await this.#host.state();
+                const isNews = this.#isNews(state.revision);
                 this.#tell((listener) => listener.undo?.(state.undo));
                 this.#tell((listener) => listener.state?.(state));
+                if (isNews) this.#tell((listener) => listener.changed?.([""]));
             }
         } catch (error) {
             this.met(error);
@@ -180,7 +221,7 @@ export class Session {
             setTimeout(() => this.#retry(), RETRY);
             return;
         }
-        this.#gone = false;
+        [this.#gone, this.#revision] = [false, null];
         this.#tell((listener) => listener.gone?.(false));
         this.#tell((listener) => listener.changed?.([""]));
         this.readState();

@@ -37,7 +37,7 @@ pub enum Action {
         /// Way to the right and up, in heights of the picture.
         by: [f64; 2],
     },
-    /// Makes the scene appear larger.
+    /// Makes the scene appear larger, as far as something of it is to be seen.
     Zoom {
         /// Factor on the size, above 0: 2 is twice as large.
         factor: f64,
@@ -60,7 +60,8 @@ pub enum Action {
     Undo,
     /// Makes the last change again that was taken back.
     Redo,
-    /// Goes back to the document that the session began with.
+    /// Goes back to the document that the session began with. Files that have come in since stay, see
+    /// [`Session::take`](crate::Session::take).
     Reset,
 }
 
@@ -125,6 +126,9 @@ pub enum Refused {
     /// Nothing has been shown yet, so it is not known where the eye is.
     #[error("nothing is shown yet: set eye and target, or show the scene first")]
     NotSeen,
+    /// The scene has no directional light.
+    #[error("the scene has no light that can be turned: choose another look, or set light")]
+    NoLight,
     /// A number of the action is none that a camera or light can turn by.
     #[error("{0} is not possible: it must be {1}")]
     Number(String, &'static str),

@@ -9,8 +9,15 @@ use crate::Refused;
 /// Closest to the poles that the eye comes, in degrees.
 const POLE_DEG: f64 = 0.5;
 
-/// Room around what is framed, as a factor.
-const ROOM: f64 = 1.04;
+/// Part of the picture that a framed scene fills along the axis that it fills more, as from a view.
+const FILLED: f64 = 0.94;
+
+/// Least and greatest height of a zoomed picture, in radii of the scene: some texels of a fine map, and a scene
+/// of a few pixels.
+const HEIGHTS: [f64; 2] = [1e-4, 1e2];
+
+/// Tangent of half the field of view that a camera has by default.
+const HALF_VIEW: f64 = 0.363_970_234_266_202_4;
 
 /// Camera and light of a picture: where actions turn them from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,28 +30,65 @@ pub struct Seen {
     pub height_m: f64,
     /// Whether rays are parallel.
     pub is_orthographic: bool,
-    /// Middle and radius of a sphere around the scene, in metres.
-    pub around: (DVec3, f64),
+    /// Space that the scene takes; none: it is not known.
+    pub extent: Option<Extent>,
     /// Width over height of the picture.
     pub aspect: f64,
     /// Direction toward the first light, of any length; none without a directional light.
     pub light: Option<DVec3>,
 }
 
+/// Space that a scene takes: what a sphere and a box with the same middle have in common.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extent {
+    /// Middle in metres.
+    pub middle: DVec3,
+    /// Radius of the sphere in metres.
+    pub radius: f64,
+    /// Half the sides of the box in metres.
+    pub half: DVec3,
+}
+
+impl Extent {
+    /// Space of a sphere.
+    pub fn sphere(middle: DVec3, radius: f64) -> Self {
+        Self { middle, radius, half: DVec3::splat(radius) }
+    }
+
+    /// Space that the relief of all surfaces takes.
+    fn of(scene: &Scene) -> Self {
+        let points = || {
+            scene.surfaces().iter().flat_map(|surface| {
+                let map = surface.height_map();
+                let heights = [map.bias_m(), map.bias_m() + map.scale_m()];
+                surface.mesh().vertices().iter().flat_map(move |vertex| {
+                    let (position, normal) = (vertex.position.as_dvec3(), vertex.normal.as_dvec3());
+                    heights.map(|height| position + normal * height)
+                })
+            })
+        };
+        let least = points().fold(DVec3::INFINITY, DVec3::min);
+        let greatest = points().fold(DVec3::NEG_INFINITY, DVec3::max);
+        let middle = 0.5 * (least + greatest);
+        if !middle.is_finite() {
+            return Self::sphere(DVec3::ZERO, 1.0);
+        }
+        let radius = points().map(|point| point.distance(middle)).fold(1e-9, f64::max);
+        Self { middle, radius, half: 0.5 * (greatest - least) }
+    }
+
+    /// The most that a point of it reaches along a vector, beyond the middle.
+    fn reach(&self, along: DVec3) -> f64 {
+        along.abs().dot(self.half).min(self.radius * along.length())
+    }
+}
+
 impl Seen {
     /// A camera with a field of view of 40 degrees that looks at a point, and knows nothing of the scene.
     pub fn looking(eye: DVec3, target: DVec3) -> Self {
         let away = eye.distance(target);
-        let height_m = 2.0 * 20_f64.to_radians().tan() * away;
-        Self {
-            eye,
-            target,
-            height_m,
-            is_orthographic: false,
-            around: (target, 0.5 * away),
-            aspect: 4.0 / 3.0,
-            light: None,
-        }
+        let height_m = 2.0 * HALF_VIEW * away;
+        Self { eye, target, height_m, is_orthographic: false, extent: None, aspect: 4.0 / 3.0, light: None }
     }
 
     /// What a loaded scene shows.
@@ -57,9 +101,9 @@ impl Seen {
             Light::Directional { toward, .. } => Some(*toward),
             Light::Point { .. } => None,
         });
-        let (around, [width, height]) = (sphere_around(scene), scene.size());
+        let (extent, [width, height]) = (Some(Extent::of(scene)), scene.size());
         let aspect = f64::from(width) / f64::from(height.max(1));
-        Self { eye, target, height_m, is_orthographic, around, aspect, light }
+        Self { eye, target, height_m, is_orthographic, extent, aspect, light }
     }
 
     /// Where it is after keys of the document have been set: those that say it replace what was seen.
@@ -70,9 +114,15 @@ impl Seen {
         let height_m = match (self.is_orthographic, spec.fov) {
             (true, _) => spec.view_height.unwrap_or(self.height_m),
             (false, Some(fov)) => 2.0 * (0.5 * fov.to_radians()).tan() * away,
-            (false, None) => self.height_m * away / self.eye.distance(self.target).max(1e-9),
+            (false, None) => 2.0 * self.half_view() * away,
         };
         Self { eye, target, height_m, light: spec.light.map(DVec3::from).or(self.light), ..self }
+    }
+
+    /// Tangent of half the field of view.
+    fn half_view(&self) -> f64 {
+        let tan = 0.5 * self.height_m / self.eye.distance(self.target);
+        if tan.is_finite() && tan > 0.0 { tan } else { HALF_VIEW }
     }
 
     /// The eye after turning around the target.
@@ -98,56 +148,53 @@ impl Seen {
         Ok([point + self.eye - self.target, point])
     }
 
-    /// The eye, and the height of a picture with parallel rays, after coming nearer.
+    /// The eye, and the height of a picture with parallel rays, after coming nearer: no nearer and no farther
+    /// than the scene can be seen from.
     pub fn zoomed(&self, factor: f64) -> Result<(DVec3, f64), Refused> {
         if !(factor > 0.0 && factor.is_finite()) {
             return Err(Refused::Number(factor.to_string(), "above 0 and finite"));
         }
-        Ok((self.target + (self.eye - self.target) / factor, self.height_m / factor))
+        let wanted = self.height_m / factor;
+        let height_m = self.extent.map_or(wanted, |extent| {
+            let [least, most] = HEIGHTS.map(|height| height * extent.radius);
+            wanted.clamp(least.min(self.height_m), most.max(self.height_m))
+        });
+        Ok((self.target + (self.eye - self.target) * (height_m / self.height_m), height_m))
     }
 
-    /// Eye, target and height of the picture from which all is seen, in the present direction.
-    pub fn framed(&self) -> (DVec3, DVec3, f64) {
-        let (middle, radius) = self.around;
+    /// Eye, target and height of the picture from which all is seen, in the present direction. None if it is not
+    /// known where the scene is.
+    pub fn framed(&self) -> Option<(DVec3, DVec3, f64)> {
+        let extent = self.extent?;
         let back = (self.eye - self.target).normalize_or(DVec3::Z);
-        // The half of the picture's shorter side.
-        let narrow = self.aspect.min(1.0);
-        let tan = 0.5 * self.height_m / self.eye.distance(self.target).max(1e-9) * narrow;
-        let away = match self.is_orthographic {
-            true => 4.0 * radius,
-            // A sphere is seen whole where rays touch it.
-            false => radius * (1.0 + 1.0 / (tan * tan)).sqrt(),
-        };
-        (middle + back * away * ROOM, middle, 2.0 * radius / narrow * ROOM)
+        let right = DVec3::Y.cross(back).try_normalize().unwrap_or(DVec3::X);
+        let up = back.cross(right);
+        let deep = extent.reach(back);
+        if self.is_orthographic {
+            let tall = extent.reach(up).max(extent.reach(right) / self.aspect) * 2.0 / FILLED;
+            return Some((extent.middle + back * (deep + tall), extent.middle, tall));
+        }
+        // Planes through opposite edges of the filled part enclose all points. The axis whose planes meet farther
+        // away decides.
+        let half_view = self.half_view();
+        let tans = [half_view * FILLED * self.aspect, half_view * FILLED];
+        let [across, along] = [0, 1].map(|axis| {
+            let (side, tan) = ([right, up][axis], tans[axis]);
+            let [low, high] = [back * tan - side, back * tan + side].map(|plane| extent.reach(plane));
+            (0.5 * (high - low), 0.5 * (high + low) / tan)
+        });
+        // What is seen edge-on still needs a distance.
+        let away = across.1.max(along.1).max(deep + 1e-3 * extent.radius);
+        let target = extent.middle + right * across.0 + up * along.0;
+        Some((target + back * away, target, 2.0 * half_view * away))
     }
 
     /// The direction toward the light after turning it.
     pub fn lit_from(&self, degrees: [f64; 2]) -> Result<DVec3, Refused> {
         finite(&degrees)?;
-        let light = self.light.ok_or(Refused::NotSeen)?;
+        let light = self.light.ok_or(Refused::NoLight)?;
         Ok(turned(light, degrees, 90.0))
     }
-}
-
-/// A sphere around the relief of all surfaces, about the middle of its box.
-fn sphere_around(scene: &Scene) -> (DVec3, f64) {
-    let points = || {
-        scene.surfaces().iter().flat_map(|surface| {
-            let map = surface.height_map();
-            let heights = [map.bias_m(), map.bias_m() + map.scale_m()];
-            surface.mesh().vertices().iter().flat_map(move |vertex| {
-                let (position, normal) = (vertex.position.as_dvec3(), vertex.normal.as_dvec3());
-                heights.map(|height| position + normal * height)
-            })
-        })
-    };
-    let least = points().fold(DVec3::INFINITY, DVec3::min);
-    let greatest = points().fold(DVec3::NEG_INFINITY, DVec3::max);
-    let middle = 0.5 * (least + greatest);
-    if !middle.is_finite() {
-        return (DVec3::ZERO, 1.0);
-    }
-    (middle, points().map(|point| point.distance(middle)).fold(1e-9, f64::max))
 }
 
 /// A vector turned around the vertical and then up, no farther than `most` degrees above or below.

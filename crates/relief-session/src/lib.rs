@@ -25,6 +25,8 @@
 
 mod action;
 mod camera;
+#[cfg(test)]
+mod camera_tests;
 mod document;
 mod panel;
 mod session;
@@ -32,6 +34,6 @@ mod session;
 mod tests;
 
 pub use action::{Action, Changed, Refused};
-pub use camera::Seen;
-pub use panel::{Choice, Control, Kind, Panel};
-pub use session::{Drag, Session};
+pub use camera::{Extent, Seen};
+pub use panel::{Choice, Control, Kind, Panel, label_of};
+pub use session::{Drag, Session, Taken};

@@ -32,6 +32,8 @@ pub struct Control {
     pub is_file: bool,
     /// Unit of its numbers; empty for plain ones.
     pub unit: String,
+    /// Whether a number may be a text with its unit, such as `5cm`.
+    pub takes_unit: bool,
     /// Least number that is accepted, or that is not accepted just below; none if there is none.
     pub min: Option<f64>,
     /// Greatest number, in the same way.
@@ -146,12 +148,13 @@ impl Control {
         });
         Self {
             key: name,
-            label: words(key.name),
+            label: label_of(key.name),
             about: key.about.to_owned(),
             group: key.group.name(),
             kind,
             is_file: matches!(key.form, Form::File | Form::Folder) || kind == Kind::NameOrFile,
             unit: key.number.map_or(String::new(), |number| number.unit.to_owned()),
+            takes_unit: matches!(key.form, Form::Length | Form::Lengths(_)),
             min,
             max,
             step: key.number.map(|number| number.step),
@@ -198,7 +201,7 @@ fn settings(
             });
             controls.push(Control {
                 key: own,
-                label: format!("{}: {}", words(stage.key), words(param.name).to_lowercase()),
+                label: label_of(&setting),
                 about: param.summary.to_owned(),
                 group: KeyGroup::Method.name(),
                 is_file: false,
@@ -208,6 +211,7 @@ fn settings(
                     (true, false) => Kind::Number,
                 },
                 unit: param.unit.to_owned(),
+                takes_unit: false,
                 min: Some(f64::from(param.min)),
                 max: Some(f64::from(param.max)),
                 step: Some(if param.integer { 1.0 } else { small(param.default) }),
@@ -245,6 +249,18 @@ fn end(bound: std::ops::Bound<f64>) -> Option<f64> {
     match bound {
         std::ops::Bound::Included(at) | std::ops::Bound::Excluded(at) => Some(at),
         std::ops::Bound::Unbounded => None,
+    }
+}
+
+/// Returns the label of the control for a key, as actions name it: `Mesh scale` for `surfaces[1].mesh-scale`,
+/// `Search: steps` for `set.search.steps`.
+pub fn label_of(key: &str) -> String {
+    let own =
+        key.strip_prefix("surfaces[").and_then(|rest| rest.split_once("].")).map_or(key, |(_, own)| own);
+    let setting = own.strip_prefix("set.").unwrap_or(own).split_once('.');
+    match setting.filter(|(stage, _)| STAGES.iter().any(|known| known.key == *stage)) {
+        Some((stage, name)) => format!("{}: {}", words(stage), words(name).to_lowercase()),
+        None => words(own),
     }
 }
 

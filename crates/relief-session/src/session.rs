@@ -11,20 +11,35 @@ use crate::{Action, Changed, Refused, Seen};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Drag(pub u64);
 
-/// A document before a change.
+/// A document, and the one that a reset goes back to from it: files that came in are in both.
+#[derive(Clone)]
+struct State {
+    spec: SceneSpec,
+    start: SceneSpec,
+}
+
+/// What was before a change.
 struct Step {
-    before: SceneSpec,
+    before: State,
     drag: Option<Drag>,
+}
+
+/// A document into which files have come.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Taken {
+    /// The document.
+    pub document: SceneSpec,
+    /// The document that [`Action::Reset`] then goes back to.
+    pub start: SceneSpec,
 }
 
 /// A scene as one document that actions change.
 ///
 /// It is small: a scene of one surface takes some kilobytes, and as much for each change that can be undone.
 pub struct Session {
-    spec: SceneSpec,
-    start: SceneSpec,
+    now: State,
     undo: Vec<Step>,
-    redo: Vec<SceneSpec>,
+    redo: Vec<State>,
     seen: Option<Seen>,
     guard: Option<Guard>,
 }
@@ -52,22 +67,23 @@ impl Session {
     }
 
     fn begun(spec: SceneSpec) -> Self {
-        Self { start: spec.clone(), spec, undo: Vec::new(), redo: Vec::new(), seen: None, guard: None }
+        let now = State { start: spec.clone(), spec };
+        Self { now, undo: Vec::new(), redo: Vec::new(), seen: None, guard: None }
     }
 
     /// Returns the document, as a scene to be loaded and drawn.
     pub fn spec(&self) -> &SceneSpec {
-        &self.spec
+        &self.now.spec
     }
 
     /// Returns the document as a scene file, with every key; those without a value are comments.
     pub fn text(&self) -> String {
-        self.spec.to_toml()
+        self.now.spec.to_toml()
     }
 
     /// Returns a key's value, as a scene file writes it; none if its default holds.
     pub fn value(&self, key: &str) -> Option<String> {
-        values(&self.spec).remove(key)
+        values(&self.now.spec).remove(key)
     }
 
     /// Returns whether there is something to undo, and to make again.
@@ -86,38 +102,42 @@ impl Session {
         self.guard = Some(Box::new(guard));
     }
 
-    /// Changes the document, and in the same way the one that [`Action::Reset`] goes back to: for files that
-    /// come in, which a reset should not lose.
+    /// Returns what a change for files that come in makes of the document, and of the one that
+    /// [`Action::Reset`] goes back to: a reset should not lose them. Nothing has changed yet; see
+    /// [`Self::take`].
     ///
     /// # Errors
     ///
-    /// When the document would not be a scene any more. Then nothing has changed.
-    pub fn take(&mut self, change: &dyn Fn(&SceneSpec) -> SceneSpec) -> Result<Changed, Refused> {
+    /// When the document would not be a scene any more.
+    pub fn with_files(&self, change: &dyn Fn(&SceneSpec) -> SceneSpec) -> Result<Taken, Refused> {
         self.taken(&|spec| crate::document::checked(change(spec)))
     }
 
-    /// Gives a key a value, in the document and in the one that [`Action::Reset`] goes back to.
+    /// Returns what a file as a key's value makes of the document, as [`Self::with_files`] does.
     ///
     /// # Errors
     ///
-    /// See [`Self::take`].
-    pub fn take_value(&mut self, key: &str, value: &str) -> Result<Changed, Refused> {
+    /// See [`Self::with_files`].
+    pub fn with_file(&self, key: &str, value: &str) -> Result<Taken, Refused> {
         self.taken(&|spec| with(spec, key, value))
     }
 
-    fn taken(
-        &mut self,
-        change: &dyn Fn(&SceneSpec) -> Result<SceneSpec, Refused>,
-    ) -> Result<Changed, Refused> {
-        let new = self.guarded(change(&self.spec)?)?;
+    fn taken(&self, change: &dyn Fn(&SceneSpec) -> Result<SceneSpec, Refused>) -> Result<Taken, Refused> {
+        let document = self.guarded(change(&self.now.spec)?)?;
         // What it began with may not go with them, where the document does.
-        self.start = change(&self.start).unwrap_or_else(|_| new.clone());
-        Ok(self.put(None, new))
+        let start = change(&self.now.start).unwrap_or_else(|_| document.clone());
+        Ok(Taken { document, start })
+    }
+
+    /// Puts a document with files in place of this one. An undo takes the files out of the document, and out of
+    /// what a reset goes back to; a redo brings them back.
+    pub fn take(&mut self, Taken { document, start }: Taken) -> Changed {
+        self.put(None, State { spec: document, start })
     }
 
     /// Returns the controls of the document.
     pub fn panel(&self) -> Panel {
-        Panel::of(&self.spec)
+        Panel::of(&self.now.spec)
     }
 
     /// Applies an action.
@@ -139,23 +159,23 @@ impl Session {
         match action {
             Action::Undo => {
                 let step = self.undo.pop().ok_or(Refused::Nothing("undo"))?;
-                let after = std::mem::replace(&mut self.spec, step.before);
-                let keys = differing(&after, &self.spec);
+                let after = std::mem::replace(&mut self.now, step.before);
+                let keys = differing(&after.spec, &self.now.spec);
                 self.redo.push(after);
                 return Ok(Changed { keys });
             }
             Action::Redo => {
                 let after = self.redo.pop().ok_or(Refused::Nothing("redo"))?;
-                let before = std::mem::replace(&mut self.spec, after);
-                let keys = differing(&before, &self.spec);
+                let before = std::mem::replace(&mut self.now, after);
+                let keys = differing(&before.spec, &self.now.spec);
                 self.undo.push(Step { before, drag: None });
                 return Ok(Changed { keys });
             }
             _ => {}
         }
         let Some(new) = self.changed(action)? else { return Ok(Changed::default()) };
-        let new = self.guarded(new)?;
-        Ok(self.put(drag, new))
+        let spec = self.guarded(new)?;
+        Ok(self.put(drag, State { spec, start: self.now.start.clone() }))
     }
 
     fn guarded(&self, new: SceneSpec) -> Result<SceneSpec, Refused> {
@@ -166,12 +186,12 @@ impl Session {
     }
 
     /// Puts a document in place of this one, as a change that can be undone.
-    fn put(&mut self, drag: Option<Drag>, new: SceneSpec) -> Changed {
-        let keys = differing(&self.spec, &new);
+    fn put(&mut self, drag: Option<Drag>, new: State) -> Changed {
+        let keys = differing(&self.now.spec, &new.spec);
+        let before = std::mem::replace(&mut self.now, new);
         if keys.is_empty() {
             return Changed::default();
         }
-        let before = std::mem::replace(&mut self.spec, new);
         let is_same_drag = drag.is_some() && self.undo.last().is_some_and(|step| step.drag == drag);
         if !is_same_drag {
             self.undo.push(Step { before, drag });
@@ -182,7 +202,7 @@ impl Session {
 
     /// The document after an action; none if it stays.
     fn changed(&self, action: &Action) -> Result<Option<SceneSpec>, Refused> {
-        let spec = &self.spec;
+        let State { spec, start } = &self.now;
         match action {
             Action::Set { key, value } => with(spec, key, value).map(Some),
             Action::Lose { key } => without(spec, key),
@@ -238,7 +258,7 @@ impl Session {
             Action::Frame => {
                 // Where the scene lies is known from a picture alone.
                 let seen = self.seen.ok_or(Refused::NotSeen)?.at(spec);
-                let (eye, target, height_m) = seen.framed();
+                let (eye, target, height_m) = seen.framed().ok_or(Refused::NotSeen)?;
                 let framed = self.looking(eye, target)?;
                 match framed {
                     Some(framed) if seen.is_orthographic => {
@@ -256,20 +276,21 @@ impl Session {
                 let toward = self.light()?.lit_from(*degrees)?;
                 with(spec, "light", &format!("{:?}", toward.to_array())).map(Some)
             }
-            Action::Reset => Ok(Some(self.start.clone())),
+            Action::Reset => Ok(Some(start.clone())),
             Action::Undo | Action::Redo => Ok(None),
         }
     }
 
     /// Camera and light as they are now.
     fn seen(&self) -> Result<Seen, Refused> {
-        match (self.seen, self.spec.eye, self.spec.target) {
-            (Some(seen), ..) => Ok(seen.at(&self.spec)),
+        let spec = self.spec();
+        match (self.seen, spec.eye, spec.target) {
+            (Some(seen), ..) => Ok(seen.at(spec)),
             // The document says it all.
             (None, Some(eye), Some(target)) => {
-                let is_orthographic = self.spec.view_height.is_some();
+                let is_orthographic = spec.view_height.is_some();
                 let seen = Seen { is_orthographic, ..Seen::looking(eye.into(), target.into()) };
-                Ok(seen.at(&self.spec))
+                Ok(seen.at(spec))
             }
             _ => Err(Refused::NotSeen),
         }
@@ -279,12 +300,12 @@ impl Session {
     fn light(&self) -> Result<Seen, Refused> {
         let only =
             |light: [f64; 3]| Seen { light: Some(light.into()), ..Seen::looking(DVec3::Z, DVec3::ZERO) };
-        self.seen().or_else(|refused| self.spec.light.map(only).ok_or(refused))
+        self.seen().or_else(|refused| self.spec().light.map(only).ok_or(refused))
     }
 
     /// The document with another eye and target.
     fn looking(&self, eye: DVec3, target: DVec3) -> Result<Option<SceneSpec>, Refused> {
-        let mut new = self.spec.clone();
+        let mut new = self.spec().clone();
         if new.projection == Some(relief_scene::ProjectionChoice::Orthographic) && new.view_height.is_none() {
             // The height came from the view, which the eye replaces.
             new.view_height = self.seen().ok().map(|seen| seen.height_m);

@@ -5,7 +5,7 @@ use relief_core::rng::Rng;
 use relief_scene::{Form, Key, keys, viewer_keys};
 use relief_shaders::{METHODS, STAGES};
 
-use crate::{Action, Control, Drag, Kind, Panel, Refused, Seen, Session};
+use crate::{Action, Control, Drag, Extent, Kind, Panel, Refused, Seen, Session};
 
 const START: &str = "height = \"wall.png\"\neye = [0, 1, 3]\ntarget = [0, 0, 0]\nlight = [1, 2, 0]\n";
 
@@ -248,7 +248,8 @@ fn the_camera_turns_around_its_target() {
     let changed = fitted.apply(&Action::Orbit { degrees: [0.0, -30.0] }).expect("a turn");
     assert_eq!(changed.keys, ["eye", "target", "view"]);
     // A sphere of radius 0.5 around (1, 0, 0) is seen whole, and fills the picture.
-    fitted.shown(Seen { around: (DVec3::X, 0.5), ..Seen::looking(DVec3::Y * 2.0, DVec3::ZERO) });
+    let extent = Some(Extent::sphere(DVec3::X, 0.5));
+    fitted.shown(Seen { extent, ..Seen::looking(DVec3::Y * 2.0, DVec3::ZERO) });
     fitted.apply(&Action::Frame).expect("a change");
     let [eye, target] = [fitted.spec().eye, fitted.spec().target].map(|at| DVec3::from(at.expect("a place")));
     let angle = (0.5 / eye.distance(target)).asin().to_degrees();
@@ -334,22 +335,50 @@ fn actions_are_read_from_json() {
 fn files_that_come_in_survive_a_reset() {
     let mut session = Session::new("height = \"a.png\"\n").expect("a scene");
     session.apply(&Action::set("scale", "0.2")).expect("a value");
-    let changed = session.take_value("color", "\"b.png\"").expect("a file");
-    assert_eq!(changed.keys, ["color"]);
-    let changed = session
-        .take(&|spec| {
-            let mut spec = spec.clone();
-            spec.surface.height = Some("c.png".into());
-            spec
-        })
-        .expect("a file");
-    assert_eq!(changed.keys, ["height"]);
+    let taken = session.with_file("color", "\"b.png\"").expect("a file");
+    assert_eq!(session.take(taken).keys, ["color"]);
+    let taken = session.with_files(&|spec| {
+        let mut spec = spec.clone();
+        spec.surface.height = Some("c.png".into());
+        spec
+    });
+    assert_eq!(session.take(taken.expect("a file")).keys, ["height"]);
     assert_eq!(session.apply(&Action::Reset).expect("a change").keys, ["scale"]);
     assert_eq!(session.value("height").as_deref(), Some("\"c.png\""));
     for key in ["scale", "height", "color", "scale"] {
         assert_eq!(session.apply(&Action::Undo).expect("a change").keys, [key]);
     }
-    assert!(session.take_value("scale", "-1").is_err() && session.take_value("none", "1").is_err());
+    assert!(session.with_file("scale", "-1").is_err() && session.with_file("none", "1").is_err());
+}
+
+#[test]
+fn a_reset_goes_back_to_the_files_that_an_undo_left() {
+    let mut session = Session::new("height = \"a.png\"\n").expect("a scene");
+    let first = session.text();
+    let drop = |session: &mut Session, name: &str| {
+        let taken = session.with_file("height", &format!("{name:?}")).expect("a file");
+        session.take(taken)
+    };
+    let height = |session: &Session| session.value("height").expect("a file");
+    drop(&mut session, "wrong.png");
+    session.apply(&Action::Undo).expect("a drop");
+    session.apply(&Action::set("scale", "0.2")).expect("a value");
+    session.apply(&Action::Reset).expect("a change");
+    assert_eq!(session.text(), first);
+    // The undo of a reset does not bring back what was undone before.
+    session.apply(&Action::Undo).expect("a reset");
+    assert_eq!((height(&session).as_str(), session.value("scale").as_deref()), ("\"a.png\"", Some("0.2")));
+    // A drop that is made again is kept again.
+    drop(&mut session, "good.png");
+    session.apply(&Action::Undo).expect("a drop");
+    session.apply(&Action::Redo).expect("a drop");
+    assert_eq!(session.apply(&Action::Reset).expect("a change").keys, ["scale"]);
+    assert_eq!(height(&session), "\"good.png\"");
+    while session.can_undo()[0] {
+        session.apply(&Action::Undo).expect("a change");
+    }
+    assert_eq!(session.text(), first);
+    assert!(session.apply(&Action::Reset).expect("nothing").keys.is_empty());
 }
 
 #[test]
@@ -361,7 +390,7 @@ fn what_a_guard_speaks_against_changes_nothing() {
     });
     let before = session.text();
     assert_eq!(session.apply(&Action::set("color", "b.png")), Err(Refused::Value("another file".to_owned())));
-    assert!(session.take_value("color", "b.png").is_err());
+    assert!(session.with_file("color", "b.png").is_err());
     assert!(session.text() == before && session.can_undo() == [false; 2]);
     session.apply(&Action::set("color", "a.png")).expect("a file that is given");
 }

@@ -141,8 +141,13 @@ impl Drawing {
         Ok(Drawn { size, samples, notes, seconds, seen, views: shown })
     }
 
-    /// Loads a scene within the memory that may be taken.
-    pub(crate) fn load(&mut self, spec: &SceneSpec) -> Result<Scene, SceneError> {
+    /// Loads a scene within the memory that may be taken. The first view, if it is of the same scene, then reads no
+    /// file again.
+    ///
+    /// # Errors
+    ///
+    /// See [`SceneSpec::load`].
+    pub fn load(&mut self, spec: &SceneSpec) -> Result<Scene, SceneError> {
         let Self { files, panes, most_memory, .. } = self;
         panes[0].load(spec, files, *most_memory)
     }

@@ -88,13 +88,15 @@ impl Given {
         if let Some(key) = key {
             let [file] = &given[..] else { return Err(format!("{key}: it takes one file")) };
             let path = toml::Value::String(file.display().to_string()).to_string();
-            return session.take_value(key, &path).map_err(|refused| refused.to_string());
+            let taken = session.with_file(key, &path).map_err(|refused| refused.to_string())?;
+            return Ok(session.take(taken));
         }
         let change = change(&given, files)?;
         if !matches!(change, Change::Scene(_)) && !session.spec().surfaces.is_empty() {
             return Err("the scene has several surfaces: drop the file onto a control of one".to_owned());
         }
-        session.take(&|spec| change.of(spec)).map_err(|refused| refused.to_string())
+        let taken = session.with_files(&|spec| change.of(spec)).map_err(|refused| refused.to_string())?;
+        Ok(session.take(taken))
     }
 
     /// Returns a text in which the files have the names that the user knows.

@@ -113,3 +113,57 @@ export async function fingers_orbit_pan_and_zoom(seat) {
     });
     assert.notEqual((await seat.control("target")).value, target);
 }
+
+/** The part of the picture's height and width that differs from its first row. */
+async function filled(seat) {
+    const { width, height, bytes } = await seat.canvas();
+    const isOther = (x, y) => [0, 1, 2].some((part) => bytes[4 * (y * width + x) + part] !== bytes[part]);
+    const rows = [...Array(height).keys()].filter((y) => [...Array(width).keys()].some((x) => isOther(x, y)));
+    const columns = [...Array(width).keys()].filter((x) => rows.some((y) => isOther(x, y)));
+    const span = (all) => (all.length === 0 ? 0 : all.at(-1) - all[0] + 1);
+    return Math.max(span(rows) / height, span(columns) / width);
+}
+
+export async function a_zoom_ends_and_frame_finds_all_again(seat) {
+    await seat.click("[data-do=fit]");
+    const fit = await filled(seat);
+    assert.ok(fit > 0.85, `Fit fills ${fit}`);
+    const away = async () => {
+        const values = await Promise.all(["eye", "target"].map((key) => seat.control(key)));
+        const [eye, target] = values.map(({ value }) => JSON.parse(value));
+        return Math.hypot(...eye.map((at, axis) => at - target[axis]));
+    };
+    const canvas = await seat.page.$("canvas");
+    for (const [wheel, least, most] of [[-2000, 1e-6, 1e-2], [2000, 10, 1e4]]) {
+        await canvas.hover();
+        for (let turn = 0; turn < 12; turn += 1) await seat.page.mouse.wheel({ deltaY: wheel });
+        await seat.rest();
+        const distance = await away();
+        assert.ok(distance > least && distance < most, `${distance} m after ${wheel}`);
+        await seat.click("[data-do=frame]");
+        const framed = await filled(seat);
+        assert.ok(Math.abs(framed - fit) < 0.1, `Frame fills ${framed}, Fit ${fit}`);
+    }
+}
+a_zoom_ends_and_frame_finds_all_again.scene = [
+    ...["cobbles.png", "--size", "160x120", "--samples", "1", "--backend", "cpu"],
+    ...["--background", "1,0,1"],
+];
+
+export async function a_look_without_a_light_says_so(seat) {
+    seat.mayFail = true;
+    const canvas = await seat.page.$("canvas");
+    await canvas.focus();
+    await seat.page.keyboard.down("l");
+    await seat.page.keyboard.press("ArrowRight");
+    await seat.page.keyboard.up("l");
+    await seat.rest();
+    assert.match((await seat.errors()).join(), /no light that can be turned/);
+    await canvas.press("ArrowRight");
+    await seat.rest();
+    assert.deepEqual(await seat.errors(), []);
+}
+a_look_without_a_light_says_so.scene = [
+    ...["cobbles.png", "--size", "160x120", "--samples", "1", "--backend", "cpu"],
+    ...["--look", "overcast"],
+];

@@ -26,6 +26,32 @@ export async function a_dropped_map_is_shown_and_a_wrong_file_is_not(seat) {
     assert.deepEqual(await seat.errors(), []);
 }
 
+export async function messages_go_with_the_next_action_that_works(seat) {
+    const status = () => seat.page.$eval("#status", ({ textContent }) => textContent);
+    await seat.drop([join(seat.folder, "bricks.png")], "canvas");
+    assert.equal(await status(), "Opened bricks.png");
+    assert.equal(await seat.page.$eval('[data-key="height"] input', ({ value }) => value), "bricks.png");
+    await seat.type("scale", "0.1");
+    assert.equal(await status(), "");
+    seat.mayFail = true;
+    const wrong = join(seat.folder, "empty.png");
+    writeFileSync(wrong, "");
+    const before = await seat.canvas();
+    await seat.drop([wrong], "canvas");
+    assert.match((await seat.errors()).join(), /empty\.png: is empty/);
+    assert.ok((await seat.canvas()).bytes.equals(before.bytes));
+    await seat.row("color");
+    await seat.drop([wrong], '[data-key="color"]');
+    assert.equal((await seat.errors()).length, 1);
+    await seat.type("scale", "0.2");
+    assert.deepEqual(await seat.errors(), []);
+    // A word stays whole on a narrow page.
+    await seat.page.setViewport({ width: 320, height: 700 });
+    await seat.drop([join(seat.folder, "cobbles.png")], "#picture");
+    const { width, height } = await (await seat.page.$("#status")).boundingBox();
+    assert.ok(width > 80 && height < 60, `${width} x ${height}`);
+}
+
 export async function a_file_on_a_control_goes_to_its_key(seat) {
     const before = await height(seat);
     await seat.row("color");

@@ -435,6 +435,12 @@ impl SceneArguments {
         self.method.is_some()
     }
 
+    /// Whether a scene file is named, which may lack some of its files.
+    pub fn names_scene_file(&self) -> bool {
+        let kind = self.scene.as_deref().map(FileKind::of);
+        matches!(kind, Some(Ok(FileKind::Scene)))
+    }
+
     /// Returns the settings that `--set` gives.
     pub fn settings(&self) -> &[(String, f64)] {
         &self.set

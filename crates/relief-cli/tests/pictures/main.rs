@@ -13,6 +13,7 @@ mod frames;
 mod gltf_materials;
 mod notes;
 mod page;
+mod page_files;
 mod pictures;
 mod procedure;
 mod shown;

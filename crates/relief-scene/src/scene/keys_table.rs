@@ -305,7 +305,7 @@ pub fn keys() -> Vec<Key> {
     ];
     keys.extend(STAGES.iter().filter(|stage| stage.has_key()).map(|stage| {
         let names = stage.entries.iter().map(|entry| entry.name).collect();
-        surface(stage.key, Form::Name(names), "", "variant of a stage, in place of the method's")
+        surface(stage.key, Form::Name(names), "", about_stage(stage.key))
     }));
     let looks = Look::ALL.map(Look::name).to_vec();
     let views = View::ALL.map(View::name).to_vec();
@@ -396,6 +396,25 @@ pub fn keys() -> Vec<Key> {
         ),
     ]);
     keys
+}
+
+/// What the key of a stage chooses.
+fn about_stage(key: &str) -> &'static str {
+    match key {
+        "geometry" => "how triangles are displaced, with no search along rays (default: the method's)",
+        "surface" => "where rays enter the relief, and how it follows the mesh (default: the method's)",
+        "slices" => "how slices through the relief are placed (default: the method's)",
+        "object" => "how the images of an object are read (default: the method's)",
+        "field" => "what rays are searched for: heights, or another field (default: the method's)",
+        "detail" => "how a distant relief is simplified (default: the method's)",
+        "search" => "how rays find the first hit, roughly; with refine, in place of the method",
+        "refine" => "how the hit of the search becomes exact; with search, in place of the method",
+        "shade" => "how light makes colour on the material (default: the material's)",
+        "shadow" => "how the relief casts shadows on itself (default: the method's)",
+        "shadow-search" => "how rays toward the light find what is in their way (default: the view's search)",
+        "ambient" => "how much light from all around reaches a point (default: the look's)",
+        _ => "variant of a stage (default: the method's)",
+    }
 }
 
 impl SceneSpec {

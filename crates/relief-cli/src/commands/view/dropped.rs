@@ -1,18 +1,15 @@
-//! Files that come in from the page: kept in a folder of the session, recognised, and put into the scene.
+//! Files that come in from the page: kept in a folder of the session, and named as the user knows them.
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Component, Path, PathBuf};
 
-use relief_io::{MeshFormat, find_textures};
-use relief_scene::{MeshChoice, SceneSpec, SurfaceSpec, read_scene};
-use relief_session::{Changed, Session};
+use relief_scene::SceneSpec;
 use tempfile::TempDir;
 
-use crate::commands::scene_arguments::of_scene_file;
+use super::coming::Coming;
 use crate::failure::Failure;
-use crate::file_kind::FileKind;
 
 /// Most files that come in at once.
 const MAX_FILES: usize = 1000;
@@ -79,20 +76,49 @@ impl Dropped {
         self.folder.path().join(number.to_string())
     }
 
-    /// Puts the files of a group into the scene; onto a key, if one is named.
-    pub fn take(&mut self, number: u64, key: Option<&str>, session: &mut Session) -> Result<Changed, String> {
+    /// What the files of a group change in a scene; onto a key, if one is named.
+    pub fn coming(&mut self, number: u64, key: Option<&str>) -> Result<Coming, String> {
         let group = self.groups.remove(&number).ok_or("no file has come")?;
         let files: Vec<PathBuf> = group.files.into_iter().filter(|file| is_meant(file)).collect();
-        if let Some(key) = key {
-            let [file] = &files[..] else { return Err(format!("{key}: it takes one file")) };
-            let path = toml::Value::String(file.display().to_string()).to_string();
-            return session.take_value(key, &path).map_err(|refused| refused.to_string());
+        let root = self.root(number);
+        match key {
+            None => Coming::of_files(root, &files),
+            Some(key) => {
+                let [file] = &files[..] else { return Err(format!("{key}: it takes one file")) };
+                Ok(Coming::of_key(root, key, file))
+            }
         }
-        let (change, is_whole) = change(&files)?;
-        if !is_whole && !session.spec().surfaces.is_empty() {
-            return Err("the scene has several surfaces: drop the file onto a control of one".to_owned());
-        }
-        session.take(&*change).map_err(|refused| refused.to_string())
+    }
+
+    /// Removes the files of a group, which were not taken.
+    pub fn forget(&self, number: u64) {
+        // What stays is removed at the end.
+        let _ = fs::remove_dir_all(self.root(number));
+    }
+
+    /// A file that may stand in for heights that no file gives yet.
+    pub fn stand_in(&self) -> io::Result<PathBuf> {
+        let path = self.folder.path().join("stand-in.pgm");
+        fs::write(&path, b"P5 4 4 255 0123456789abcdef")?;
+        Ok(path)
+    }
+
+    /// The path of a file of the page below what was dropped; none of others.
+    fn below<'a>(&self, file: &'a Path) -> Option<&'a Path> {
+        let mut parts = file.strip_prefix(self.folder.path()).ok()?.components();
+        // The number of a group.
+        parts.next();
+        Some(parts.as_path())
+    }
+
+    /// The value of a key as a file of the scene, if the page names one as the user knows it.
+    pub fn meant(&self, value: &str, spec: &SceneSpec) -> Option<String> {
+        let name = match value.parse::<toml::Value>() {
+            Ok(toml::Value::String(name)) => name,
+            _ => value.to_owned(),
+        };
+        let file = spec.files().find(|file| self.below(file) == Some(Path::new(&name)))?;
+        Some(toml::Value::String(file.display().to_string()).to_string())
     }
 
     /// A text in which files of the page have the names that the user knows.
@@ -140,125 +166,4 @@ pub fn write(place: &Path, length: u64, bytes: &mut dyn Read) -> Result<(), Stri
 fn is_meant(file: &Path) -> bool {
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     !name.starts_with('.') && !["Thumbs.db", "desktop.ini"].contains(&&*name)
-}
-
-/// A change of a scene.
-type Change = Box<dyn Fn(&SceneSpec) -> SceneSpec>;
-
-/// What files change in a scene, and whether they are a whole one.
-fn change(files: &[PathBuf]) -> Result<(Change, bool), String> {
-    let mut kinds: BTreeMap<&'static str, Vec<&PathBuf>> = BTreeMap::new();
-    let mut others = Vec::new();
-    for file in files {
-        match kind_of(file) {
-            Some(kind) => kinds.entry(kind.flag()).or_default().push(file),
-            None => others.push(file),
-        }
-    }
-    let of = |kind: FileKind| kinds.get(kind.flag()).map_or(&[][..], Vec::as_slice);
-    let one = |kind: FileKind| match of(kind) {
-        [] => Ok(None),
-        [file] => Ok(Some((*file).clone())),
-        several => Err(format!("{} files are each read as {}: drop one of them", several.len(), kind.flag())),
-    };
-    if let Some(scene) = one(FileKind::Scene)? {
-        let spec = read_scene(&scene).map_err(|error| match of_scene_file(error) {
-            Failure::Usage(what) | Failure::Work(what) => what,
-            Failure::ReaderGone => String::new(),
-        })?;
-        return Ok((Box::new(move |_| spec.clone()), true));
-    }
-    if let Some(object) = one(FileKind::Object)? {
-        return Ok(changed(move |surface| {
-            let own = SurfaceSpec { object: Some(object.clone()), ..SurfaceSpec::default() };
-            *surface = surface.clone().overridden_by(own);
-        }));
-    }
-    let volume = one(FileKind::Volume)?;
-    let mesh = one(FileKind::Mesh)?;
-    let images = match &mesh {
-        // A glTF names its own pictures.
-        Some(mesh) if is_gltf(mesh) && files.len() > 1 => &[],
-        _ => of(FileKind::HeightMap),
-    };
-    let image = match images {
-        [image] => Some((*image).clone()),
-        _ => None,
-    };
-    let textures = (images.len() > 1).then(|| common_folder(images));
-    if [&volume, &mesh, &image, &textures].iter().all(|found| found.is_none()) {
-        let name = others.first().map(|file| file.file_name().unwrap_or_default().to_string_lossy());
-        return Err(match name {
-            Some(name) => {
-                format!("{name}: it is no picture, mesh, volume or scene that can be read")
-            }
-            None => "there is no file in it".to_owned(),
-        });
-    }
-    Ok(changed(move |surface| {
-        let own = SurfaceSpec {
-            volume: volume.clone(),
-            mesh: mesh.clone().map(MeshChoice::File),
-            textures: textures.clone(),
-            ..SurfaceSpec::default()
-        };
-        *surface = surface.clone().overridden_by(own);
-        if let Some(image) = &image {
-            take_image(surface, image);
-        }
-    }))
-}
-
-/// A change of the only surface, or of what all have in common.
-fn changed(change: impl Fn(&mut SurfaceSpec) + 'static) -> (Change, bool) {
-    let of_scene = move |spec: &SceneSpec| {
-        let mut spec = spec.clone();
-        change(&mut spec.surface);
-        spec
-    };
-    (Box::new(of_scene), false)
-}
-
-/// Puts a picture where its name says, else in place of the heights.
-fn take_image(surface: &mut SurfaceSpec, image: &Path) {
-    let role = image.parent().and_then(|folder| {
-        let set = find_textures(folder, None).ok()?;
-        let texture = set.textures.into_iter().find(|texture| texture.path == image)?;
-        Some(texture.role)
-    });
-    let mut own = SurfaceSpec::default();
-    let is_taken = match role.and_then(|role| own.map_of(role)) {
-        Some(place) => {
-            *place = Some(image.to_owned());
-            true
-        }
-        None => false,
-    };
-    if !is_taken {
-        own.height = Some(image.to_owned());
-    }
-    *surface = surface.clone().overridden_by(own);
-}
-
-fn is_gltf(mesh: &Path) -> bool {
-    mesh.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("gltf"))
-}
-
-/// What a file is, if it can be shown.
-fn kind_of(file: &Path) -> Option<FileKind> {
-    let kind = FileKind::of(file).ok()?;
-    let ending = file.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
-    match kind {
-        // Any other file would be taken for a scene.
-        FileKind::Scene if ending != "toml" => None,
-        FileKind::Mesh if MeshFormat::by_name(file).is_none() => None,
-        kind => Some(kind),
-    }
-}
-
-/// The folder in which all of these lie.
-fn common_folder(files: &[&PathBuf]) -> PathBuf {
-    let mut folder = files[0].parent().unwrap_or(Path::new("")).to_owned();
-    while !files.iter().all(|file| file.starts_with(&folder)) && folder.pop() {}
-    folder
 }

@@ -1,14 +1,18 @@
 //! `relief view`: a scene to look at and to change, on a page in a browser, or by a script without one.
 
 mod answer;
+mod coming;
 mod door;
 mod dropped;
 mod given;
 mod http;
 mod page;
+mod said;
 mod saved;
+mod scene_files;
 mod script;
 mod serve;
+mod tried;
 mod viewer;
 
 use std::path::PathBuf;
@@ -48,7 +52,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE.json")]
     script: Option<PathBuf>,
     /// Folder for the scene and the pictures of a script, created if missing [default: nothing is written]
-    #[arg(short, long, value_name = "DIR", requires = "script")]
+    #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     /// Port of the page [default: a free one]
     #[arg(long, value_name = "N", conflicts_with = "script")]
@@ -115,8 +119,12 @@ impl Arguments {
 
 /// Applies a script, or opens the page.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    match &arguments.script {
-        Some(script) => script::run(arguments, script),
-        None => serve::run(arguments),
+    match (&arguments.script, &arguments.output) {
+        (Some(script), _) => script::run(arguments, script),
+        // Another flag that excludes a script would hide this from the reader of the command line.
+        (None, Some(_)) => {
+            Err(Failure::usage("--output: is of a script: give --script as well, or save from the page"))
+        }
+        (None, None) => serve::run(arguments),
     }
 }

@@ -21,6 +21,7 @@ const FILES: &[PageFile] = &page![
     "camera.js": SCRIPT,
     "controls.js": SCRIPT,
     "elements.js": SCRIPT,
+    "entry.js": SCRIPT,
     "fields.js": SCRIPT,
     "figures.js": SCRIPT,
     "files.js": SCRIPT,
@@ -44,6 +45,7 @@ const FILES: &[PageFile] = &page![
     "view_boxes.js": SCRIPT,
     "views.css": CSS,
     "views.js": SCRIPT,
+    "words.js": SCRIPT,
 ];
 
 /// Returns a file by its name; the page itself has none.

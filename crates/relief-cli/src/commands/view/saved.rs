@@ -45,13 +45,17 @@ const SAVED: [Saved; 10] = [
 
 /// What the page offers.
 pub fn offered() -> Value {
-    SAVED.iter().map(|saved| json!({ "what": saved.what, "label": saved.label })).collect()
+    let of_surface = |saved: &Saved| matches!(saved.by, By::Functions(_));
+    SAVED
+        .iter()
+        .map(|saved| json!({ "what": saved.what, "label": saved.label, "of_surface": of_surface(saved) }))
+        .collect()
 }
 
-/// A file's bytes.
+/// A file's bytes. A method is that of a surface.
 ///
 /// `dropped` is the folder of the page's files: in a scene file they are named as the user knows them.
-pub fn saved(spec: &SceneSpec, what: &str, dropped: &Path) -> Result<Vec<u8>, String> {
+pub fn saved(spec: &SceneSpec, what: &str, surface: usize, dropped: &Path) -> Result<Vec<u8>, String> {
     let known = SAVED.iter().find(|saved| saved.what == what);
     let known = known.ok_or_else(|| format!("'{what}' is nothing that can be saved"))?;
     let folder = tempfile::tempdir().map_err(|error| format!("a folder for it cannot be made: {error}"))?;
@@ -65,7 +69,7 @@ pub fn saved(spec: &SceneSpec, what: &str, dropped: &Path) -> Result<Vec<u8>, St
         }
         By::Functions(target) => {
             let selection = spec.selections().map_err(|error| error.to_string())?;
-            let selection = selection.first().ok_or("the scene has no surface")?;
+            let selection = selection.get(surface).ok_or_else(|| format!("there is no surface {surface}"))?;
             let mut words = function_words(selection);
             words.extend(["--target", target, "-o"].map(str::to_owned));
             words.extend([folder.path().display().to_string(), "--name".to_owned(), "relief".to_owned()]);
@@ -98,7 +102,7 @@ fn run(words: &[String]) -> Result<(), String> {
     Err(said.unwrap_or_else(|| String::from_utf8_lossy(&output.stderr).trim().to_owned()))
 }
 
-/// The words of the command that writes a selection as functions.
+/// The words of the command that writes a selection as functions, with its settings.
 fn function_words(selection: &Selection) -> Vec<String> {
     let mut words = ["shader", "--entry", "functions"].map(str::to_owned).to_vec();
     for (place, stage) in STAGES.iter().enumerate() {
@@ -107,6 +111,12 @@ fn function_words(selection: &Selection) -> Vec<String> {
             ["surface", "field", "search", "refine", "shadow", "shadow-search"].contains(&stage.key);
         if is_asked && stage.has_key() && selection.uses(place) && stage.entries.len() > 1 {
             words.extend([format!("--{}", stage.key), choice.entry.name.to_owned()]);
+        }
+        if is_asked && selection.uses(place) {
+            let settings = choice.entry.params.iter().zip(choice.params);
+            for (param, value) in settings.filter(|(param, value)| param.default != *value) {
+                words.extend(["--set".to_owned(), format!("{}.{}={value}", stage.key, param.name)]);
+            }
         }
     }
     words

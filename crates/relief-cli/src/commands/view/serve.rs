@@ -6,7 +6,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use relief_scene::SceneSpec;
+use relief_io::ReadProblem;
+use relief_scene::{SceneError, SceneSpec};
 use relief_session::Session;
 use relief_viewer::Asked;
 use serde_json::json;
@@ -18,10 +19,11 @@ use super::dropped::{Dropped, write};
 use super::given::Given;
 use super::http::Request;
 use super::page;
-use super::viewer::{Ended, Viewer};
+use super::viewer::{Ended, NotSaved, Viewer};
+use crate::commands::scene_arguments::of_scene;
 use crate::failure::Failure;
-use crate::streams;
-use crate::{interrupt, say};
+use crate::progress::Progress;
+use crate::{advice, interrupt, say, streams};
 
 /// Time after which the program looks whether it is to end.
 const TURN: Duration = Duration::from_millis(50);
@@ -39,6 +41,7 @@ const MAX_PANE: u32 = 8192;
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let spec = arguments.spec()?;
     let dropped = Dropped::new()?;
+    let has_files = spec.files().next().is_some();
     let given = Given::of(&spec);
     given.add(dropped.folder());
     let mut session = Session::of(spec).map_err(Failure::usage)?;
@@ -47,6 +50,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     no_cache.iter().for_each(say::note);
     let door = Door::open(arguments.port)?;
     let viewer = Arc::new(Viewer::new(session, maps, dropped)?);
+    if !arguments.scene.names_scene_file() && has_files {
+        let _reading = Progress::spinner("reading", arguments.json);
+        viewer.load().or_else(of_start)?;
+    }
     let end = interrupt::catch()?;
     let address = door.address();
     streams::answer(|out| match arguments.json {
@@ -66,6 +73,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     std::thread::sleep(LAST);
     viewer.end()
+}
+
+/// Fails if the page has no control that would mend an error of the scene that it begins with.
+fn of_start(error: SceneError) -> Result<(), Failure> {
+    let is_unknown =
+        matches!(&error, SceneError::Read(read) if matches!(read.problem, ReadProblem::Unrecognised));
+    match advice::of_scene(&error) {
+        Some(_) if !is_unknown => Ok(()),
+        _ => Err(of_scene(error)),
+    }
 }
 
 /// Answers requests, each on a thread of its own.
@@ -166,9 +183,13 @@ fn pixel(query: &Query, viewer: &Viewer) -> Answer {
 
 fn save(query: &Query, viewer: &Viewer) -> Answer {
     let what = query.text("what").unwrap_or_default();
-    match viewer.save(&what) {
+    let whole = |name| query.text(name).and_then(|number| number.parse::<u64>().ok());
+    match viewer.save(&what, whole("surface").unwrap_or_default() as usize, whole("revision")) {
         Ok(bytes) => Answer { file: Some(what), ..Answer::bytes(BYTES, bytes) },
-        Err(said) => Answer::error(REFUSED, said),
+        Err(NotSaved::Failed(said)) => Answer::error(REFUSED, said),
+        Err(NotSaved::Changed) => {
+            Answer::error(ENDED, "the scene was changed on another page: it is shown now, so save it again")
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! A session that the page changes, and the pictures of it.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use relief_compare::EXACT_HITS;
@@ -8,13 +8,16 @@ use relief_core::{ByteSize, Watch};
 use relief_io::Files;
 use relief_maps::Maps;
 use relief_render::RENDERING;
-use relief_scene::{KeyGroup, Scene, SceneSpec, keys};
-use relief_session::{Changed, Drag, Session};
+use relief_scene::{KeyGroup, Scene, SceneError, SceneSpec, keys};
+use relief_session::{Action, Changed, Control, Drag, Panel, Session, Taken};
 use relief_viewer::{Asked, Drawing, NotDrawn, Sent, shown};
 use serde_json::{Value, json};
 
+use super::coming::Coming;
 use super::dropped::Dropped;
+use super::said;
 use super::saved::{offered, saved};
+use super::tried;
 use crate::commands::maps::{By, of_reading};
 use crate::failure::Failure;
 use crate::lanes;
@@ -25,6 +28,8 @@ pub struct Viewer {
     drawing: Mutex<Drawing>,
     dropped: Mutex<Dropped>,
     work: Mutex<Work>,
+    /// Scenes with new files that wait to be loaded: pictures let them pass.
+    trials: AtomicUsize,
     /// Ends the picture in hand.
     stop: AtomicBool,
 }
@@ -69,6 +74,7 @@ impl Viewer {
             drawing: Mutex::new(drawing),
             dropped: Mutex::new(dropped),
             work: Mutex::default(),
+            trials: AtomicUsize::new(0),
             stop: AtomicBool::new(false),
         })
     }
@@ -77,26 +83,90 @@ impl Viewer {
     pub fn state(&self) -> Value {
         let Document { session, revision, .. } = &*locked(&self.document);
         let file = session.spec().files().next().and_then(|file| file.file_name());
+        let panel = self.panel(session);
         json!({
-            "revision": revision, "undo": session.can_undo(), "panel": session.panel(), "saves": offered(),
+            "revision": revision, "undo": session.can_undo(), "panel": panel, "saves": offered(),
             "name": file.map(|name| name.to_string_lossy()),
         })
+    }
+
+    /// The controls. Files have the names that the user knows.
+    fn panel(&self, session: &Session) -> Panel {
+        let mut panel = session.panel();
+        let dropped = locked(&self.dropped);
+        let of_files = |control: &&mut Control| control.is_file;
+        for control in panel.scene.iter_mut().chain(panel.surfaces.iter_mut().flatten()).filter(of_files) {
+            control.value = control.value.take().map(|value| dropped.named(&value));
+        }
+        panel
     }
 
     /// Applies an action; says why if it is refused.
     pub fn apply(&self, sent: &Sent) -> Result<Value, String> {
         let mut document = locked(&self.document);
-        let changed = document.session.apply_in(sent.drag.map(Drag), &sent.action);
-        let changed = changed.map_err(|refused| self.named(&refused.to_string()))?;
+        let meant = match &sent.action {
+            Action::Set { key, value } => {
+                let value = locked(&self.dropped).meant(value, document.session.spec());
+                value.map(|value| Action::set(key.clone(), value))
+            }
+            _ => None,
+        };
+        let action = meant.as_ref().unwrap_or(&sent.action);
+        let changed = document.session.apply_in(sent.drag.map(Drag), action);
+        let changed = changed.map_err(|refused| self.said(&refused.to_string()))?;
         Ok(self.changed(&mut document, &changed))
     }
 
-    /// Puts files that came into the scene.
+    /// Puts files that came into the scene, if it can be loaded with them.
     pub fn take(&self, number: u64, key: Option<&str>) -> Result<Value, String> {
-        let mut document = locked(&self.document);
-        let changed = locked(&self.dropped).take(number, key, &mut document.session);
-        let changed = changed.map_err(|said| self.named(&said))?;
-        Ok(self.changed(&mut document, &changed))
+        self.trials.fetch_add(1, Ordering::Relaxed);
+        self.stop.store(true, Ordering::Relaxed);
+        let mut drawing = locked(&self.drawing);
+        self.trials.fetch_sub(1, Ordering::Relaxed);
+        self.tell("reading", 0.0, false);
+        let taken = self.taken(number, key, &mut drawing);
+        self.tell("", 0.0, false);
+        taken.map_err(|said| {
+            locked(&self.dropped).forget(number);
+            self.said(&said)
+        })
+    }
+
+    fn taken(&self, number: u64, key: Option<&str>, drawing: &mut Drawing) -> Result<Value, String> {
+        let coming = locked(&self.dropped).coming(number, key)?;
+        loop {
+            let (before, taken, revision) = {
+                let Document { session, revision, .. } = &*locked(&self.document);
+                (session.spec().clone(), coming.with(session)?, *revision)
+            };
+            let taken = self.tried(&before, taken, &coming, drawing)?;
+            let mut document = locked(&self.document);
+            // What was changed while files were read is tried with them.
+            if document.revision == revision {
+                let changed = document.session.take(taken);
+                return Ok(self.changed(&mut document, &changed));
+            }
+        }
+    }
+
+    /// A document with files, if it can be loaded. A reset goes back to it where it could not go back to the one
+    /// before with them.
+    fn tried(
+        &self,
+        before: &SceneSpec,
+        taken: Taken,
+        coming: &Coming,
+        drawing: &mut Drawing,
+    ) -> Result<Taken, String> {
+        let stand_in = locked(&self.dropped).stand_in().map_err(|error| error.to_string())?;
+        let pane = locked(&self.document).pane;
+        let mut check = |before: &SceneSpec, after: &SceneSpec| {
+            tried::check(drawing, &shown(before, pane), &shown(after, pane), &coming.folder, &stand_in)
+        };
+        let is_same = taken.start == taken.document;
+        let starts = is_same || check(before, &taken.start).is_ok();
+        check(before, &taken.document)?;
+        Ok(if starts { taken } else { Taken { start: taken.document.clone(), ..taken } })
     }
 
     fn changed(&self, document: &mut Document, changed: &Changed) -> Value {
@@ -126,6 +196,9 @@ impl Viewer {
     /// bytes, the text, and the pixels.
     pub fn picture(&self, asked: Asked) -> Result<Vec<u8>, Ended> {
         let mut drawing = locked(&self.drawing);
+        if self.trials.load(Ordering::Relaxed) > 0 {
+            return Err(Ended::Changed);
+        }
         let (spec, revision) = {
             let mut document = locked(&self.document);
             document.pane = asked.pane;
@@ -138,7 +211,9 @@ impl Viewer {
         self.tell("", 0.0, false);
         let drawn = drawn.map_err(|error| self.ended(error))?;
         locked(&self.document).session.shown(drawn.seen);
-        let about = drawn.about(revision).to_string();
+        let mut about = drawn.about(revision);
+        self.say_of_picture(&mut about);
+        let about = about.to_string();
         let mut bytes = Vec::new();
         bytes.extend((about.len() as u32).to_le_bytes());
         bytes.extend(about.as_bytes());
@@ -170,16 +245,27 @@ impl Viewer {
         json!({ "task": task, "part": part })
     }
 
-    /// A file to be saved: what is shown, with the size that it is shown in.
-    pub fn save(&self, what: &str) -> Result<Vec<u8>, String> {
-        let spec = self.shown();
+    /// A file to be saved: what is shown, with the size that it is shown in. Of another revision than the page
+    /// shows, if it names one, nothing is saved.
+    pub fn save(&self, what: &str, surface: usize, revision: Option<u64>) -> Result<Vec<u8>, NotSaved> {
+        let spec = {
+            let Document { session, pane, revision: now } = &*locked(&self.document);
+            if revision.is_some_and(|revision| revision != *now) {
+                return Err(NotSaved::Changed);
+            }
+            shown(session.spec(), *pane)
+        };
         let folder = locked(&self.dropped).folder().to_owned();
-        saved(&spec, what, &folder).map_err(|said| self.named(&said))
+        saved(&spec, what, surface, &folder).map_err(|said| NotSaved::Failed(self.said(&said)))
     }
 
-    fn shown(&self) -> SceneSpec {
-        let Document { session, pane, .. } = &*locked(&self.document);
-        shown(session.spec(), *pane)
+    /// Loads the scene; says why it cannot be loaded.
+    pub fn load(&self) -> Result<(), SceneError> {
+        let spec = {
+            let Document { session, pane, .. } = &*locked(&self.document);
+            shown(session.spec(), *pane)
+        };
+        locked(&self.drawing).load(&spec).map(drop)
     }
 
     /// The files that came from the page.
@@ -197,14 +283,32 @@ impl Viewer {
     fn ended(&self, error: NotDrawn) -> Ended {
         match error {
             NotDrawn::Cancelled(_) => Ended::Changed,
-            other => Ended::Failed(self.named(&other.to_string())),
+            NotDrawn::Scene(error) => Ended::Failed(self.said(&said::of_scene(&error))),
+            other => Ended::Failed(self.said(&other.to_string())),
         }
     }
 
-    /// A message with files as the user knows them.
-    fn named(&self, text: &str) -> String {
-        locked(&self.dropped).named(text)
+    /// A message with files as the user knows them, and with the labels of controls.
+    fn said(&self, text: &str) -> String {
+        said::with_labels(&locked(&self.dropped).named(text))
     }
+
+    /// The same of what is said of a picture: its notes, and why a view is not there.
+    fn say_of_picture(&self, about: &mut Value) {
+        let notes = about["notes"].as_array_mut().into_iter().flatten();
+        notes.for_each(|note| *note = json!(self.said(note.as_str().unwrap_or_default())));
+        for view in about["views"].as_array_mut().into_iter().flatten() {
+            let failed = view["failed"].as_str().map(|failed| self.said(failed));
+            view["failed"] = json!(failed);
+        }
+    }
+}
+
+/// Why nothing was saved.
+pub enum NotSaved {
+    /// The scene is not the one that the page shows.
+    Changed,
+    Failed(String),
 }
 
 /// What is noted about the files of a scene.
