@@ -1,6 +1,7 @@
-// Draws a plane with the parallax of Babylon.js and with the kit of three.js, both on WebGL 2. Answers with the colours
-// of two pictures for each place and way, u and v, and the milliseconds of frames that were drawn in turn.
-// Colours are coordinates: red rises over the tile, green and blue rise and fall 16 times, blue half a rise ahead.
+// Draws a plane with the parallax of Babylon.js and with the kit of three.js, both on WebGL 2. Answers with the
+// colours of two pictures for each place and way, u and v, and the milliseconds of frames that were drawn in
+// turn. Colours are coordinates: red rises over the tile, green and blue rise and fall 16 times, blue half a
+// rise ahead.
 import * as THREE from "three/webgpu";
 import { texture } from "three/tsl";
 import { applyRelief } from "./relief.js";
@@ -12,7 +13,8 @@ const COLORS = 4096;
 
 export default async function answer(input) {
     await load("./node_modules/babylonjs/babylon.js");
-    if (BABYLON.Engine.Version !== input.babylon) throw new Error(`this is Babylon.js ${BABYLON.Engine.Version}`);
+    const { Version } = BABYLON.Engine;
+    if (Version !== input.babylon) throw new Error(`this is Babylon.js ${Version}`);
     const engines = { babylon: babylon(input), three: await three(input) };
     const ways = [];
     for (const way of input.ways) ways.push(await engines[way.engine].way(way));
@@ -37,7 +39,8 @@ export default async function answer(input) {
 function load(address) {
     const script = Object.assign(document.createElement("script"), { src: address });
     return new Promise((done, failed) => {
-        Object.assign(script, { onload: done, onerror: () => failed(new Error(`${address} cannot be read`)) });
+        const onerror = () => failed(new Error(`${address} cannot be read`));
+        Object.assign(script, { onload: done, onerror });
         document.head.append(script);
     });
 }
@@ -147,13 +150,12 @@ function withLayers(layers) {
     const name = `layers${layers}`;
     const { ShadersStore, IncludesShadersStore } = BABYLON.Effect;
     if (ShadersStore[`${name}PixelShader`] === undefined) {
-        IncludesShadersStore[name] = replaced(
-            IncludesShadersStore.bumpFragmentFunctions,
-            "const float minSamples=4.;const float maxSamples=15.;const int iMaxSamples=15;",
-            `const float minSamples=${layers}.;const float maxSamples=${layers}.;const int iMaxSamples=${layers};`,
-        );
-        const own = "#include<bumpFragmentFunctions>";
-        ShadersStore[`${name}PixelShader`] = replaced(ShadersStore.defaultPixelShader, own, `#include<${name}>`);
+        const constants = (least, most) =>
+            `const float minSamples=${least}.;const float maxSamples=${most}.;const int iMaxSamples=${most};`;
+        const functions = IncludesShadersStore.bumpFragmentFunctions;
+        IncludesShadersStore[name] = replaced(functions, constants(4, 15), constants(layers, layers));
+        const [own, given] = ["bumpFragmentFunctions", name].map((text) => `#include<${text}>`);
+        ShadersStore[`${name}PixelShader`] = replaced(ShadersStore.defaultPixelShader, own, given);
         ShadersStore[`${name}VertexShader`] = ShadersStore.defaultVertexShader;
     }
     return name;

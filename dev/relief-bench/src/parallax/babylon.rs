@@ -1,4 +1,5 @@
-//! The parallax of Babylon.js beside Relief's methods in the kit of three.js: one page draws both on WebGL 2, in turn.
+//! The parallax of Babylon.js beside Relief's methods in the kit of three.js: one page draws both on WebGL 2,
+//! in turn.
 
 use std::sync::Arc;
 
@@ -68,7 +69,7 @@ fn ways(heights: &HeightMap) -> Result<Vec<Value>, String> {
     let mut ways = vec![
         json!({ "engine": "babylon", "name": "Babylon, flat" }),
         json!({ "engine": "babylon", "name": UNIT, "occlusion": true }),
-        // What its textures have unless they are told otherwise.
+        // The default of its textures.
         json!({ "engine": "babylon", "name": "Babylon, anisotropy 4", "occlusion": true, "anisotropy": 4 }),
     ];
     ways.extend(LAYERS.map(|layers| {

@@ -29,8 +29,8 @@ pub struct Arguments {
     /// Chromium or Chrome, which runs Godot and Babylon.js
     #[arg(long, value_name = "PROGRAM", default_value = "chromium")]
     chromium: PathBuf,
-    /// Engine: godot (deep parallax), babylon (parallax occlusion, beside the kit of three.js), or bevy (parallax
-    /// occlusion and relief mapping), which is built first
+    /// Engine: godot (deep parallax), babylon (parallax occlusion, beside the kit of three.js), or bevy
+    /// (parallax occlusion and relief mapping), which is built first
     #[arg(long, value_name = "NAME", default_value = "godot")]
     engine: String,
     /// The command, for the program of Bevy that it writes
