@@ -1,6 +1,9 @@
-//! `functions`: methods as functions for other programs. Whether they find the renderer's hits to the
-//! bit, over all pairs and wraps, and how large each method is.
+//! `functions`: methods as functions for other programs. Whether they find the renderer's hits over all pairs
+//! and wraps, to the bit in WGSL and nearly in GLSL ES 3.00, and how large each method is.
 
+mod es300;
+
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
@@ -24,10 +27,22 @@ pub struct Arguments {
     /// Print only the sizes
     #[arg(long)]
     sizes: bool,
+    /// Run the functions in GLSL ES 3.00, in Chromium, beside the renderer's hits
+    #[arg(long)]
+    es300: bool,
+    /// With --es300: run every Nth pair alone
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    every: usize,
+    /// Chromium or Chrome, for --es300
+    #[arg(long, value_name = "PROGRAM", default_value = "chromium")]
+    chromium: PathBuf,
 }
 
 /// Prints the tables. Fails where a hit differs.
 pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
+    if arguments.es300 {
+        return es300::run(&arguments.chromium, arguments.rays, arguments.every);
+    }
     println!("{}", sizes()?);
     if arguments.sizes {
         return Ok(ExitCode::SUCCESS);

@@ -115,7 +115,7 @@ enum Command {
     Materials(materials::Arguments),
     /// Triangles a second that height maps become, in memory and in files
     Mesh(mesh::Arguments),
-    /// Godot's own parallax beside Relief's methods in its shaders: errors of hits and times
+    /// Engines' own parallax beside Relief's methods in their shaders: errors of hits and times
     Parallax(parallax::Arguments),
     /// Attacks on the promises of baked maps: fails if one is broken
     Probe(probe::Arguments),

@@ -8,6 +8,9 @@ use std::time::SystemTime;
 pub const THREE: &str = "0.187.0";
 pub const REVISION: &str = "187";
 
+/// Version of Babylon.js in npm.
+pub const BABYLON: &str = "9.35.0";
+
 /// Returns the folder of the packages. Installs them if they are missing, or older than their list.
 pub fn modules() -> Result<PathBuf, String> {
     let npm = Path::new(env!("CARGO_MANIFEST_DIR")).join("../npm");
@@ -32,11 +35,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_version_is_the_one_that_is_locked() {
+    fn versions_are_what_is_locked() {
         let package = include_str!("../../../npm/package.json");
         let lock = include_str!("../../../npm/package-lock.json");
-        assert!(package.contains(&format!("\"three\": \"{THREE}\"")));
-        assert!(lock.contains(&format!("\"version\": \"{THREE}\"")));
+        for (name, version) in [("three", THREE), ("babylonjs", BABYLON)] {
+            assert!(package.contains(&format!("\"{name}\": \"{version}\"")));
+            assert!(lock.contains(&format!("\"version\": \"{version}\"")));
+        }
         assert_eq!(THREE.split('.').nth(1), Some(REVISION));
     }
 }

@@ -22,6 +22,7 @@ use relief_testing::maps;
 use serde_json::{Value, json};
 
 use self::rendered::{Shown, mesh_json};
+pub use self::three::KIT as THREE_KIT;
 use crate::table::table;
 
 /// Arguments of `kits`.

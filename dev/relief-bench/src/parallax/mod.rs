@@ -1,6 +1,7 @@
 //! `parallax`: what engines have of their own beside Relief's methods in their shaders, in one run: how far hits
 //! are off the exact ones, and how long a frame takes. An unlit texture whose colours are its coordinates shows each.
 
+mod babylon;
 mod bevy;
 
 use std::path::{Path, PathBuf};
@@ -13,7 +14,7 @@ use relief_bake::{Collected, kind};
 use relief_core::camera::{Camera, Projection};
 use relief_core::mesh::{Mesh, square};
 use relief_core::{HeightMap, Metric, Watch, Wrap};
-use relief_export::{FunctionOptions, Profile, functions};
+use relief_export::{ExportedFunctions, FunctionOptions, Profile, functions};
 use relief_io::{HeightOptions, read_height_file};
 use relief_shaders::Selection;
 use serde_json::{Value, json};
@@ -25,10 +26,11 @@ use crate::table::table;
 /// Arguments of `parallax`.
 #[derive(Args)]
 pub struct Arguments {
-    /// Chromium or Chrome, which runs Godot
+    /// Chromium or Chrome, which runs Godot and Babylon.js
     #[arg(long, value_name = "PROGRAM", default_value = "chromium")]
     chromium: PathBuf,
-    /// Engine: godot (deep parallax), or bevy (parallax occlusion and relief mapping), which is built first
+    /// Engine: godot (deep parallax), babylon (parallax occlusion, beside the kit of three.js), or bevy
+    /// (parallax occlusion and relief mapping), which is built first
     #[arg(long, value_name = "NAME", default_value = "godot")]
     engine: String,
     /// The command, for the program of Bevy that it writes
@@ -75,13 +77,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
         let file = read_height_file(&path, &HeightOptions::default()).map_err(|error| error.to_string())?;
         // Godot reads heights of 8 bits, so all do.
         let heights = rounded(&file.map)?;
+        let mesh = Arc::new(square(1).map_err(|error| error.to_string())?);
         let found = match arguments.engine.as_str() {
-            "godot" => of_map(arguments, &heights, size),
-            "bevy" => {
-                let mesh = Arc::new(square(1).map_err(|error| error.to_string())?);
-                bevy::of_map(arguments, &heights, &mesh, &eyes(), size)
-            }
-            other => Err(format!("--engine: no '{other}' here: godot, bevy")),
+            "godot" => of_map(arguments, &heights, &mesh, size),
+            "babylon" => babylon::of_map(arguments, &heights, &mesh, &eyes(), size),
+            "bevy" => bevy::of_map(arguments, &heights, &mesh, &eyes(), size),
+            other => Err(format!("--engine: no '{other}' here: godot, babylon, bevy")),
         };
         println!("{name}:\n\n{}\n", found?);
     }
@@ -107,8 +108,12 @@ fn byte(height: f32) -> u8 {
     (height * 255.0).round() as u8
 }
 
-fn of_map(arguments: &Arguments, heights: &HeightMap, size: [u32; 2]) -> Result<String, String> {
-    let mesh = Arc::new(square(1).map_err(|error| error.to_string())?);
+fn of_map(
+    arguments: &Arguments,
+    heights: &HeightMap,
+    mesh: &Arc<Mesh>,
+    size: [u32; 2],
+) -> Result<String, String> {
     let eyes = eyes();
     let mut ways = vec![json!({ "name": "flat", "layers": 0 })];
     ways.extend(LAYERS.map(|layers| json!({ "name": format!("Godot, {layers} layers"), "layers": layers })));
@@ -117,7 +122,8 @@ fn of_map(arguments: &Arguments, heights: &HeightMap, size: [u32; 2]) -> Result<
         ("relief_fragment.gdshaderinc".to_owned(), FRAGMENT.as_bytes().to_vec()),
     ];
     for method in METHODS {
-        let (text, map) = functions_of(method, heights)?;
+        let (mut exported, map) = exported_of(method, heights, Profile::Godot4)?;
+        let text = exported.files.swap_remove(0).bytes;
         let shader =
             include_str!("shown.gdshader").replace("relief.gdshaderinc", &format!("{method}.gdshaderinc"));
         files.push((format!("{method}.gdshaderinc"), text));
@@ -132,7 +138,7 @@ fn of_map(arguments: &Arguments, heights: &HeightMap, size: [u32; 2]) -> Result<
         "width": size[0], "height": size[1], "fov": FOV_DEGREES, "scale": SCALE_M,
         "eyes": eyes.map(|eye| eye.to_array()),
         "ways": ways,
-        "mesh": mesh_json(&mesh, true),
+        "mesh": mesh_json(mesh, true),
         "heights": of_texels(heights, &json!(heights.texels())),
         "heights8": of_texels(heights, &json!(heights.texels().iter().map(|at| byte(*at)).collect::<Vec<u8>>())),
     });
@@ -147,8 +153,8 @@ fn of_map(arguments: &Arguments, heights: &HeightMap, size: [u32; 2]) -> Result<
     let mut cells: Vec<Vec<String>> = ways.iter().map(|_| Vec::new()).collect();
     let mut costs = cells.clone();
     for (number, eye) in eyes.iter().enumerate() {
-        let exact = ours("exact", &mesh, heights, *eye, size)?;
-        let base = ours("bump", &mesh, heights, *eye, size)?;
+        let exact = ours("exact", mesh, heights, *eye, size)?;
+        let base = ours("bump", mesh, heights, *eye, size)?;
         for (at, (cells, costs)) in cells.iter_mut().zip(&mut costs).enumerate() {
             let first = 2 * (number * ways.len() + at) * 3 * pixels;
             let seen = decode(&shown[first..first + 6 * pixels], pixels);
@@ -168,17 +174,18 @@ fn of_map(arguments: &Arguments, heights: &HeightMap, size: [u32; 2]) -> Result<
     Ok(rows.to_string())
 }
 
-/// A method's functions for Godot, and the texels of its map.
-fn functions_of(method: &str, heights: &HeightMap) -> Result<(Vec<u8>, Option<Value>), String> {
+/// A method's functions, and the texels of its map.
+fn exported_of(
+    method: &str,
+    heights: &HeightMap,
+    profile: Profile,
+) -> Result<(ExportedFunctions, Option<Value>), String> {
     let text = |error: &dyn std::fmt::Display| error.to_string();
     let mut selection = Selection::method(method).map_err(|error| text(&error))?;
     selection.choose("shadow", "none").map_err(|error| text(&error))?;
-    let options = FunctionOptions {
-        wrap: Some(Wrap::Repeat),
-        profiles: vec![Profile::Godot4],
-        ..FunctionOptions::default()
-    };
-    let mut exported = functions(&selection, &options).map_err(|error| text(&error))?;
+    let options =
+        FunctionOptions { wrap: Some(Wrap::Repeat), profiles: vec![profile], ..FunctionOptions::default() };
+    let exported = functions(&selection, &options).map_err(|error| text(&error))?;
     let bake = exported.manifest.bindings.iter().find_map(|bound| bound.texture.as_ref()?.bake.as_ref());
     let map = match bake {
         None => None,
@@ -203,7 +210,7 @@ fn functions_of(method: &str, heights: &HeightMap) -> Result<(Vec<u8>, Option<Va
             Some(of_texels(heights, &json!(texels)))
         }
     };
-    Ok((exported.files.swap_remove(0).bytes, map))
+    Ok((exported, map))
 }
 
 fn of_texels(heights: &HeightMap, texels: &Value) -> Value {
@@ -247,12 +254,17 @@ fn value_of([coarse, fine, ahead]: [f64; 3]) -> f64 {
 
 /// The 99th percentile of the distance, in tiles, where both show something.
 fn p99(truth: &Shown, seen: &Shown) -> f64 {
+    part(truth, seen, 0.99)
+}
+
+/// The distance, in tiles, that a part of the pixels stays below, where both show something.
+fn part(truth: &Shown, seen: &Shown, below: f64) -> f64 {
     // Tiles are all the same.
     let off = |a: f64, b: f64| (a - b) - (a - b).round();
     let both = truth.iter().zip(seen).filter_map(|(a, b)| a.zip(*b));
     let mut off: Vec<f64> = both.map(|(a, b)| off(a[0], b[0]).hypot(off(a[1], b[1]))).collect();
     off.sort_by(f64::total_cmp);
-    off.get(off.len() * 99 / 100).copied().unwrap_or(f64::INFINITY)
+    off.get((off.len() as f64 * below) as usize).copied().unwrap_or(f64::INFINITY)
 }
 
 #[cfg(test)]

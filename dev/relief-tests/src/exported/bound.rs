@@ -66,11 +66,18 @@ fn dimension(binding: &Json) -> TextureViewDimension {
 
 /// The texels of a texture: level by level, and in these layer by layer.
 pub struct Texels {
-    size: [u32; 2],
-    layers: u32,
-    levels: u32,
-    format: TextureFormat,
-    bytes: Vec<u8>,
+    pub size: [u32; 2],
+    pub layers: u32,
+    pub levels: u32,
+    pub format: TextureFormat,
+    pub bytes: Vec<u8>,
+}
+
+impl Texels {
+    /// Floats of a texel.
+    pub fn channels(&self) -> u32 {
+        self.format.components().into()
+    }
 }
 
 /// A single texel of zeros, for what the settings say that there is none of.

@@ -102,7 +102,7 @@ pub enum Dialect {
 
 impl Dialect {
     /// A statement of WGSL in this language: declarations of one of these types, and vectors.
-    fn statement(self, text: &str, constructs: &str) -> String {
+    pub(super) fn statement(self, text: &str, constructs: &str) -> String {
         let vectors = |text: String, of: [&str; 3]| {
             let names = ["vec2f(", "vec3f(", "vec4f("];
             names.iter().zip(of).fold(text, |text, (from, to)| text.replace(from, &format!("{to}(")))
@@ -143,7 +143,7 @@ const PATH: [(&str, &str); 11] = [
 ];
 
 /// Members of a point and where they lie among its numbers.
-const POINTS: [(&str, &str); 5] = [
+pub(super) const POINTS: [(&str, &str); 5] = [
     ("uv", "vec2f(number_at(0u), number_at(1u))"),
     ("view", "vec3f(number_at(2u), number_at(3u), number_at(4u))"),
     ("tile", "vec2f(number_at(5u), number_at(6u))"),
@@ -161,12 +161,12 @@ const RAY: [(&str, &str); 4] = [
 
 /// Numbers of a path, of a point, of a ray, of a corner, of a triangle with its ray and a light, and of what
 /// comes out.
-const NUMBERS_OF_PATH: usize = 18;
-const POINT: usize = 14;
+pub(super) const NUMBERS_OF_PATH: usize = 18;
+pub(super) const POINT: usize = 14;
 const NUMBERS_OF_RAY: usize = 7;
 const CORNER: usize = 17;
 const TRIANGLE: usize = NUMBERS_OF_RAY + 3 * CORNER + 6 + 3;
-const RESULT: usize = 9;
+pub(super) const RESULT: usize = 9;
 
 impl Device {
     /// Runs search and refinement of functions over paths, in a language. The first file of the export is
@@ -182,19 +182,7 @@ impl Device {
         paths: &[Path],
         dialect: Dialect,
     ) -> Vec<OnPath> {
-        let text = text_of(exported);
-        let found = text.split("let found = ").nth(1).and_then(|rest| rest.split(';').next());
-        let found = found.expect("it searches and refines");
-        let [path, hit] = [type_of(exported, "Path"), type_of(exported, "TracedHit")];
-        let made = dialect.statement(&made(&text, &path, &PATH), &path);
-        let body = format!(
-            "{}\n    {}\n    {}\n    results[out_at] = {}(found.found);\n    results[out_at + 1u] = found.uv.x;\n    \
-             results[out_at + 2u] = found.uv.y;\n    results[out_at + 3u] = found.t;",
-            dialect.declared("settings", &type_of(exported, "Settings"), "own_settings"),
-            dialect.declared("path", &path, &made),
-            dialect.declared("found", &hit, found),
-            if dialect == Dialect::Wgsl { "f32" } else { "float" },
-        );
+        let body = body_of_paths(exported, dialect);
         let numbers: Vec<f32> = paths.iter().flat_map(numbers_of).collect();
         let results = self.called(exported, surface, &body, NUMBERS_OF_PATH, &numbers, dialect);
         let found = |of: &[f32]| OnPath { found: of[0] != 0.0, uv: [of[1], of[2]], t: of[3] };
@@ -226,11 +214,7 @@ impl Device {
              results[out_at + 6u] = hit.normal.y;\n    results[out_at + 7u] = hit.normal.z;\n    \
              results[out_at + 8u] = light;"
         );
-        let numbers = |point: &Point| {
-            let Point { uv, view, tile, curvature, footprint, toward } = *point;
-            [&uv[..], &view, &tile, &curvature, &[footprint], &toward].concat()
-        };
-        let numbers: Vec<f32> = points.iter().flat_map(numbers).collect();
+        let numbers: Vec<f32> = points.iter().flat_map(numbers_of_point).collect();
         let results = self.called(exported, surface, &body, POINT, &numbers, Dialect::Wgsl);
         let seen = |of: &[f32]| Seen {
             hit: of[0] != 0.0,
@@ -432,6 +416,29 @@ impl Device {
     }
 }
 
+/// The statements that search and refine a path, in a language. The first file of the export is WGSL.
+///
+/// # Panics
+///
+/// When the functions do not search and refine.
+pub fn body_of_paths(exported: &ExportedFunctions, dialect: Dialect) -> String {
+    let text = text_of(exported);
+    let found = text.split("let found = ").nth(1).and_then(|rest| rest.split(';').next());
+    // WGSL alone has commas behind the last argument.
+    let found = found.expect("it searches and refines").split_whitespace().collect::<Vec<_>>().join(" ");
+    let found = found.replace(", )", ")");
+    let [path, hit] = [type_of(exported, "Path"), type_of(exported, "TracedHit")];
+    let made = dialect.statement(&made(&text, &path, &PATH), &path);
+    format!(
+        "{}\n    {}\n    {}\n    results[out_at] = {}(found.found);\n    results[out_at + 1u] = found.uv.x;\n    \
+         results[out_at + 2u] = found.uv.y;\n    results[out_at + 3u] = found.t;",
+        dialect.declared("settings", &type_of(exported, "Settings"), "own_settings"),
+        dialect.declared("path", &path, &made),
+        dialect.declared("found", &hit, &found),
+        if dialect == Dialect::Wgsl { "f32" } else { "float" },
+    )
+}
+
 fn wgsl(functions: &str, settings: &str, body: &str, count: usize) -> String {
     format!(
         "{functions}\n@group(1) @binding(0) var<storage, read> given: array<f32>;\n\
@@ -501,13 +508,13 @@ fn text_of(exported: &ExportedFunctions) -> String {
 }
 
 /// A type's name, with the prefix.
-fn type_of(exported: &ExportedFunctions, name: &str) -> String {
+pub(super) fn type_of(exported: &ExportedFunctions, name: &str) -> String {
     let (first, rest) = exported.manifest.prefix.split_at(1);
     format!("{}{rest}{name}", first.to_uppercase())
 }
 
 /// A value of a struct, from what stands for each of its members.
-fn made(text: &str, name: &str, known: &[(&str, &str)]) -> String {
+pub(super) fn made(text: &str, name: &str, known: &[(&str, &str)]) -> String {
     let declared = text.split(&format!("struct {name} {{\n")).nth(1).expect("a struct");
     let members = declared.lines().take_while(|line| !line.starts_with('}'));
     let members = members.map(str::trim).filter(|line| !line.starts_with("//"));
@@ -568,7 +575,14 @@ fn numbers_of_triangle((pixel, toward): &(PixelIn, [f32; 3])) -> Vec<f32> {
     numbers
 }
 
-fn numbers_of(path: &Path) -> [f32; NUMBERS_OF_PATH] {
+pub(super) fn numbers_of_point(point: &Point) -> [f32; POINT] {
+    let Point { uv, view, tile, curvature, footprint, toward } = *point;
+    let ([u, v], [x, y, z], [along_u, along_v]) = (uv, view, tile);
+    let ([uu, uv, vv], [toward_x, toward_y, toward_z]) = (curvature, toward);
+    [u, v, x, y, z, along_u, along_v, uu, uv, vv, footprint, toward_x, toward_y, toward_z]
+}
+
+pub(super) fn numbers_of(path: &Path) -> [f32; NUMBERS_OF_PATH] {
     let Path { uv, duv, h, exit, base, metric, ray, level, start, share, bend } = *path;
     [
         uv.x,
@@ -593,7 +607,7 @@ fn numbers_of(path: &Path) -> [f32; NUMBERS_OF_PATH] {
 }
 
 /// The settings' bytes, as the manifest lays them out.
-fn settings_of(manifest: &FunctionsManifest, settings: &SurfaceSettings) -> Vec<u8> {
+pub(super) fn settings_of(manifest: &FunctionsManifest, settings: &SurfaceSettings) -> Vec<u8> {
     let mut bytes = vec![0; (manifest.settings_size as usize).next_multiple_of(16)];
     for place in &manifest.settings {
         let words: Vec<u32> = match (place.name.as_str(), place.value) {

@@ -5,9 +5,11 @@ mod bound;
 mod called;
 mod computed;
 mod drawn;
+pub mod fragments;
 mod include;
 mod languages;
 mod node;
+mod points;
 mod values;
 
 pub use beside::{Difference, compare, device, exported, rendered};
@@ -18,3 +20,4 @@ pub use drawn::{Device, Language, draw};
 pub use include::{Include, compiled as compiled_hlsl};
 pub use languages::compiled;
 pub use node::{Plane, Sight};
+pub use points::points;

@@ -15,7 +15,7 @@ use relief_shaders::{METHODS, Selection};
 use relief_testing::maps;
 use relief_tests::compilers;
 use relief_tests::exported::{
-    Dialect, OnPath, Point, Seen, compiled, device, differing_hits as differing, paths_of, shortened,
+    Dialect, OnPath, Point, Seen, compiled, device, differing_hits as differing, paths_of, points, shortened,
     size_of, surface_of,
 };
 use relief_tests::one_source::rays::{bent_pixels, pixels};
@@ -109,28 +109,6 @@ fn wrong_functions_are_noticed() {
     let far = |seen: &[Seen]| errors(&surface, &points, seen).iter().filter(|error| **error > 1.0).count();
     let [right, flipped] = [&right, &flipped].map(|text| far(&device.seen(text, &surface, &points)));
     assert!(flipped > 10 * right.max(1), "{flipped} and {right}");
-}
-
-/// Points with rays from upright to grazing, over a flat mesh.
-pub fn points(count: usize, tile: [f32; 2], seed: u64) -> Vec<Point> {
-    let mut rng = Rng::new(seed);
-    let point = |_| {
-        let (turn, down) = (rng.between(0.0, std::f64::consts::TAU), rng.between(0.15, 1.0));
-        let flat = (1.0 - down * down).sqrt();
-        let view = [flat * turn.cos(), flat * turn.sin(), -down].map(|x| x as f32);
-        let up = rng.between(0.2, 1.0);
-        let aside = (1.0 - up * up).sqrt();
-        let around = rng.between(0.0, std::f64::consts::TAU);
-        Point {
-            uv: [rng.unit() as f32, rng.unit() as f32],
-            view,
-            tile,
-            curvature: [0.0; 3],
-            footprint: 0.0,
-            toward: [aside * around.cos(), aside * around.sin(), up].map(|x| x as f32),
-        }
-    };
-    (0..count).map(point).collect()
 }
 
 /// The way of a point's ray through the relief, in `f64`.

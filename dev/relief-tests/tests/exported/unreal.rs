@@ -7,10 +7,11 @@ use relief_export::{ExportedFunctions, FunctionOptions, Profile, functions, unre
 use relief_shaders::Selection;
 use relief_tests::compilers;
 use relief_tests::exported::{
-    Dialect, Include, OnPath, Plane, Seen, Sight, compiled_hlsl, device, paths_of, shortened, surface_of,
+    Dialect, Include, OnPath, Plane, Seen, Sight, compiled_hlsl, device, paths_of, points, shortened,
+    surface_of,
 };
 
-use super::functions::{in_two, methods, named, pixel_of, points};
+use super::functions::{in_two, methods, named, pixel_of};
 
 /// Paths of a program.
 const PATHS: usize = 2_000;

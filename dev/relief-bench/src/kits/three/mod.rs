@@ -16,7 +16,7 @@ use super::{BEYOND, Job, Shown};
 use crate::chromium;
 
 /// The kit, as it is shipped.
-const KIT: &str = include_str!("../../../../../crates/relief-cli/engines/three/relief.js");
+pub const KIT: &str = include_str!("../../../../../crates/relief-cli/engines/three/relief.js");
 
 /// The backends of its renderer.
 pub const BACKENDS: [&str; 2] = ["webgpu", "webgl"];
