@@ -10,7 +10,7 @@ const LOOK = 40;
 /** @type {import("./relief_web.js").Relief | undefined} */
 let relief;
 /** The requests, one after the other. @type {Promise<unknown>} */
-let before = init();
+let before = init({ module_or_path: new URL("relief_web_bg.wasm", import.meta.url) });
 
 onmessage = ({ data }) => {
     before = before.then(() => answer(data));
@@ -19,14 +19,25 @@ onmessage = ({ data }) => {
 /** @param {Request} request */
 async function answer({ id, name, args }) {
     try {
-        const done = await calls[name](args);
-        const shared = done instanceof Object && "shared" in done ? done.shared : [];
-        postMessage({ id, done }, { transfer: shared });
+        const call = calls[name];
+        if (!call) throw new Error(`there is no ${name}`);
+        const done = await call(args);
+        postMessage({ id, done }, { transfer: sharedOf(done) });
     } catch (error) {
         // After a fault of its own the module must not be used any more.
         const isFault = error instanceof WebAssembly.RuntimeError;
         postMessage({ id, failed: error instanceof Error ? error.message : String(error), isFault });
     }
+}
+
+/**
+ * The bytes of an answer, which the page gets without a copy.
+ * @param {unknown} done
+ * @returns {Transferable[]}
+ */
+function sharedOf(done) {
+    const bytes = done instanceof Object ? Object.values(done).filter((part) => part instanceof Uint8Array) : [];
+    return bytes.map(({ buffer }) => buffer);
 }
 
 function opened() {
@@ -49,7 +60,7 @@ const calls = {
         const drawn = opened().picture(JSON.stringify(wish), heard(stop));
         if (!drawn) return null;
         const pixels = drawn.pixels();
-        return { about: JSON.parse(drawn.about), pixels, shared: [pixels.buffer] };
+        return { about: JSON.parse(drawn.about), pixels };
     },
     pixel({ at: [x, y], stop }) {
         const found = opened().pixel(x, y, heard(stop));
@@ -61,7 +72,7 @@ const calls = {
     take: ({ group, key }) => JSON.parse(opened().take(group, key ?? undefined)),
     save({ what, stop }) {
         const bytes = opened().save(what, heard(stop));
-        return { bytes, shared: [bytes.buffer] };
+        return { bytes };
     },
 };
 

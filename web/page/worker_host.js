@@ -21,6 +21,7 @@ const SCENE = "scene.toml";
 /** @implements {Host} */
 export class WorkerHost {
     canEnd = false;
+    gone = FAULT;
     /** @type {Worker | null} */ #worker = null;
     /** @type {Map<number, Waiting>} */ #waiting = new Map();
     #last = 0;
@@ -83,7 +84,7 @@ export class WorkerHost {
      * @returns {Promise<any>}
      */
     #post(name, args) {
-        if (!this.#worker) return Promise.reject(new Gone(FAULT));
+        if (!this.#worker) return Promise.reject(new Gone());
         this.#last += 1;
         const id = this.#last;
         this.#worker.postMessage({ id, name, args });
@@ -100,7 +101,7 @@ export class WorkerHost {
         this.#waiting.delete(answer.id);
         if ("done" in answer) waiting?.done(answer.done);
         else if (answer.isFault) {
-            waiting?.failed(new Gone(FAULT));
+            waiting?.failed(new Gone());
             this.#lose();
         } else waiting?.failed(new Refused(answer.failed));
     }
@@ -109,7 +110,7 @@ export class WorkerHost {
     #lose() {
         this.#worker?.terminate();
         this.#worker = null;
-        for (const { failed } of this.#waiting.values()) failed(new Gone(FAULT));
+        for (const { failed } of this.#waiting.values()) failed(new Gone());
         this.#waiting.clear();
     }
 
@@ -207,9 +208,12 @@ export class WorkerHost {
 
     /**
      * @param {string} what
+     * @param {{ revision: number }} of
      * @returns {Promise<Saved>}
      */
-    async save(what) {
+    async save(what, { revision }) {
+        const { state } = await this.#ask("state");
+        if (state.revision !== revision) throw new Outdated("the scene has changed");
         const { bytes } = await this.#ask("save", { what, stop: null });
         return { name: what, blob: new Blob([bytes]) };
     }

@@ -1,12 +1,15 @@
 // The host over HTTP: the only module that knows addresses and statuses.
 
-/** @import { AboutView, Action, Applied, Drawn, Given, Host, Progress } from "./protocol.d.ts" */
+/** @import { Action, Applied, Drawn, Given, Host, Progress } from "./protocol.d.ts" */
 /** @import { ReadPixel, Saved, State, Wish } from "./protocol.d.ts" */
 
-import { Gone, Outdated, Refused, newNumber } from "./shared.js";
+import { Gone, Outdated, Refused, newNumber, viewsOf } from "./shared.js";
 
 /** @implements {Host} */
 export class HttpHost {
+    canEnd = true;
+    gone = "The program has ended. Start `relief view` again.";
+
     /** @returns {Promise<State>} */
     state() {
         return json("state");
@@ -139,15 +142,7 @@ async function arrived(receiving) {
 function drawn(bytes) {
     const length = new DataView(bytes).getUint32(0, true);
     const about = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length)));
-    const [width, height] = about.size;
-    let begin = 4 + length;
-    const views = about.views.map((/** @type {AboutView} */ { failed }) => {
-        if (failed !== null) return null;
-        const pixels = new Uint8ClampedArray(bytes, begin, width * height * 4);
-        begin += pixels.length;
-        return pixels;
-    });
-    return { about, views };
+    return { about, views: viewsOf(about, bytes, 4 + length) };
 }
 
 /**

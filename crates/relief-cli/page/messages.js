@@ -61,7 +61,7 @@ export class Messages {
     /** @param {boolean} gone */
     gone(gone) {
         byId("gone").hidden = !gone;
-        byId("gone-text").textContent = gone ? new Gone().message : "";
+        byId("gone-text").textContent = gone ? this.#host.gone : "";
         if (gone) this.say("");
     }
 

@@ -7,6 +7,8 @@
 
 import { Gone, Outdated } from "./shared.js";
 
+/** Milliseconds of a whole picture above which a coarse one comes first. */
+const SLOW = 300;
 /** Milliseconds that a frame of a moving view may take. */
 const FRAME = 1000 / 30;
 /** The least and the greatest factor on both sides of a picture. */
@@ -55,6 +57,10 @@ export class Picture {
     #quick = false;
     #part = 0.5;
     #gone = false;
+    /** Whether whole pictures take long, as the first one may. */
+    #slow = true;
+    /** Whether a coarse picture of what is wanted has been shown. */
+    #coarse = false;
 
     /** @param {PictureParts} parts */
     constructor(parts) {
@@ -72,6 +78,7 @@ export class Picture {
     /** Asks for a frame, now or after the one that is on its way. */
     ask() {
         this.#wanted = true;
+        this.#coarse = false;
         this.#draw();
     }
 
@@ -91,13 +98,18 @@ export class Picture {
 
     async #frame() {
         const { host, session, messages, canvas } = this.#parts;
-        this.#quick = session.moving;
+        const isFirst = this.#slow && !this.#coarse && !session.moving;
+        this.#quick = session.moving || isFirst;
         const wish = this.#wish();
         const begun = performance.now();
         canvas.setAttribute("aria-busy", "true");
         const drawn = await messages.during(host.picture(wish));
         canvas.setAttribute("aria-busy", "false");
-        if (this.#quick) this.#part = nextPart(this.#part, performance.now() - begun);
+        const took = performance.now() - begun;
+        if (!this.#quick) this.#slow = took > SLOW;
+        else if (!isFirst) this.#part = nextPart(this.#part, took);
+        // The whole one follows, unless the scene changes meanwhile.
+        if (isFirst) [this.#coarse, this.#wanted] = [true, true];
         this.#show(drawn, wish);
         session.saw(drawn.about.revision);
     }

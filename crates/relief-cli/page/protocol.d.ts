@@ -159,6 +159,10 @@ export interface Saved {
 
 /** What the page asks of the program that holds the scene. */
 export interface Host {
+    /** Whether there is a program that can be ended. */
+    readonly canEnd: boolean;
+    /** What is to be done when the host does not answer. */
+    readonly gone: string;
     state(): Promise<State>;
     apply(action: Action, drag: number | null): Promise<Applied>;
     picture(wish: Wish): Promise<Drawn>;

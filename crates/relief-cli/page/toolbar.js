@@ -32,6 +32,7 @@ export class Toolbar {
         onClick("zoom-out", () => camera.zoom(-1));
         for (const mode of /** @type {const} */ (["pan", "light"])) onClick(mode, () => this.#switch(mode));
         onClick("help", () => typed("help-dialog", HTMLDialogElement).showModal());
+        for (const button of buttons("end")) button.hidden = !host.canEnd;
         onClick("end", () => typed("end-dialog", HTMLDialogElement).showModal());
         onClick("end-now", () =>
             host.end().then(
@@ -99,7 +100,10 @@ function isPlain({ ctrlKey, metaKey, altKey, target }) {
     return !(target instanceof HTMLInputElement || target instanceof HTMLSelectElement);
 }
 
-/** @param {string} name */
+/**
+ * @param {string} name
+ * @returns {NodeListOf<HTMLElement>}
+ */
 function buttons(name) {
     return document.querySelectorAll(`[data-do="${name}"]`);
 }

@@ -44,9 +44,15 @@ enum Command {
         #[arg(short, long)]
         output: Option<PathBuf>,
     },
-    /// Build the viewer as a module for the web into target/web-module, and print its size. With --check, build it
-    /// quickly, and compare what it renders in Node with what relief renders.
+    /// Build the page of the viewer for static hosts into target/web: it draws in the browser, without a server. Prints
+    /// the size of its module. With --check, build the module quickly, and compare what it renders in Node and in a browser with what relief renders.
     Web {
+        /// Serve the page at this port of this machine.
+        #[arg(long, value_name = "PORT")]
+        serve: Option<u16>,
+        /// Chromium or Chrome, for --check.
+        #[arg(long, default_value = "chromium")]
+        browser: PathBuf,
         /// Program to compare with [default: relief, built in the profile of xtask].
         #[arg(long)]
         relief: Option<PathBuf>,
@@ -86,9 +92,9 @@ fn main() -> ExitCode {
         Command::Data => data::files(&root).and_then(settle),
         Command::Guide { relief } => guide::settle(&root, relief.as_deref(), arguments.check),
         Command::Dist { output } => dist::make(&root, output.as_deref()),
-        Command::Web { relief } => match arguments.check {
-            true => web::check(&root, relief.as_deref()),
-            false => web::make(&root),
+        Command::Web { relief, serve, browser } => match arguments.check {
+            true => web::check(&root, relief.as_deref(), &browser),
+            false => web::make(&root, serve),
         },
         Command::WebTest { relief, browser, only } => {
             web_test::run(&root, relief.as_deref(), &browser, only.as_deref())

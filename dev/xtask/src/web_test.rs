@@ -15,10 +15,7 @@ pub fn run(root: &Path, relief: Option<&Path>, browser: &Path, only: Option<&str
         Some(path) => std::path::absolute(path).map_err(|error| format!("{}: {error}", path.display()))?,
         None => build()?,
     };
-    let packages = root.join("dev/npm");
-    let mut install = Command::new("npm");
-    install.arg("ci").arg("--prefix").arg(&packages);
-    succeed(install.args(["--silent", "--no-audit", "--no-fund", "--ignore-scripts"]))?;
+    let packages = packages(root)?;
     let mut tests = Command::new("node");
     tests.arg(packages.join("view.mjs")).arg(relief).arg("--browser").arg(found(browser)?);
     if let Some(only) = only {
@@ -27,8 +24,17 @@ pub fn run(root: &Path, relief: Option<&Path>, browser: &Path, only: Option<&str
     succeed(&mut tests)
 }
 
+/// Installs the packages of tests in a browser. Returns their folder.
+pub fn packages(root: &Path) -> Result<PathBuf, String> {
+    let packages = root.join("dev/npm");
+    let mut install = Command::new("npm");
+    install.arg("ci").arg("--prefix").arg(&packages);
+    succeed(install.args(["--silent", "--no-audit", "--no-fund", "--ignore-scripts"]))?;
+    Ok(packages)
+}
+
 /// The path of a program.
-fn found(program: &Path) -> Result<PathBuf, String> {
+pub fn found(program: &Path) -> Result<PathBuf, String> {
     let folders = std::env::var_os("PATH").unwrap_or_default();
     let known = std::env::split_paths(&folders).map(|folder| folder.join(program));
     let mut known = known.chain([program.to_owned()]);
