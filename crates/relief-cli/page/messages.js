@@ -11,6 +11,7 @@ const LOOK = 200;
 
 /** Words for the tasks that the host names. */
 const TASKS = new Map([
+    ["reading", "Reading files"],
     ["rendering", "Rendering"],
     ["exact hits", "Finding the exact hits"],
     ["sending", "Sending files"],

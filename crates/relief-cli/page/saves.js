@@ -29,7 +29,7 @@ export class Saves {
     constructor(parts) {
         this.#parts = parts;
         parts.session.listen({ state: (state) => this.#know(state) });
-        this.#list.closest("details")?.addEventListener("toggle", () => this.#show());
+        this.#list.previousElementSibling?.addEventListener("click", () => this.#show());
     }
 
     /** @param {State} state */

@@ -102,9 +102,8 @@ impl Session {
         self.guard = Some(Box::new(guard));
     }
 
-    /// Returns what a change for files that come in makes of the document, and of the one that
-    /// [`Action::Reset`] goes back to: a reset should not lose them. Nothing has changed yet; see
-    /// [`Self::take`].
+    /// Returns the document after a change for files that come in, with the one that [`Action::Reset`] then goes
+    /// back to: a reset should not lose them. Nothing has changed yet; see [`Self::take`].
     ///
     /// # Errors
     ///
@@ -113,7 +112,7 @@ impl Session {
         self.taken(&|spec| crate::document::checked(change(spec)))
     }
 
-    /// Returns what a file as a key's value makes of the document, as [`Self::with_files`] does.
+    /// Returns the document with a file as a key's value, as [`Self::with_files`] does.
     ///
     /// # Errors
     ///

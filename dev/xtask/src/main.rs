@@ -44,8 +44,9 @@ enum Command {
         #[arg(short, long)]
         output: Option<PathBuf>,
     },
-    /// Build the page of the viewer for static hosts into target/web: it draws in the browser, without a server. Prints
-    /// the size of its module. With --check, build the module quickly, and compare what it renders in Node and in a browser with what relief renders.
+    /// Build the page of the viewer for static hosts into target/web: it draws in the browser, without a server.
+    /// Prints the size of its module. With --check, build the module quickly, and compare what it renders in Node and
+    /// in a browser with what relief renders.
     Web {
         /// Serve the page at this port of this machine.
         #[arg(long, value_name = "PORT")]

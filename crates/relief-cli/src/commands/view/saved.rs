@@ -52,7 +52,7 @@ pub fn offered() -> Value {
         .collect()
 }
 
-/// A file's bytes. A method is that of a surface.
+/// A file's bytes. A method is of one surface.
 ///
 /// `dropped` is the folder of the page's files: in a scene file they are named as the user knows them.
 pub fn saved(spec: &SceneSpec, what: &str, surface: usize, dropped: &Path) -> Result<Vec<u8>, String> {
