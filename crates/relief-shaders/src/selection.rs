@@ -113,7 +113,7 @@ impl Selection {
         Ok(selection)
     }
 
-    /// Returns the name of the method that it is; of a pair without one, such as `linear+none`, both names.
+    /// Returns the name of the method that it is; of a pair without one, such as `linear+patch`, both names.
     /// Settings distinguish methods of the same variants.
     pub fn method_name(&self) -> String {
         let [geometry, search, refine] =

@@ -19,7 +19,7 @@ const GIVEN: &str = "given";
 /// can have.
 const MOST_MEMORY: ByteSize = ByteSize(2 << 30);
 
-/// The size of a pane of which no picture was asked for.
+/// The size of a pane before the first picture.
 const PANE: [u32; 2] = [800, 600];
 
 /// A viewer whose files are in memory.

@@ -63,7 +63,7 @@ fn page(root: &Path, module: &Path, folder: &Path) -> std::io::Result<()> {
     Ok(())
 }
 
-/// Builds the module quickly, and compares its pictures with those of `relief`: in Node, and on the page in a browser.
+/// Builds the module quickly, and compares its pictures with the command's: in Node, and on the page in a browser.
 ///
 /// # Errors
 ///

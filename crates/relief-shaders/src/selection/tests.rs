@@ -14,8 +14,8 @@ fn every_method_is_a_valid_selection() {
     }
     let name = |method| Selection::of(method).expect("listed names").method_name();
     assert!(METHODS.iter().all(|method| name(method) == method.name));
-    let pair = Selection::pair("linear", "none").expect("listed names");
-    assert_eq!(pair.method_name(), "linear+none");
+    let pair = Selection::pair("linear", "patch").expect("listed names");
+    assert_eq!(pair.method_name(), "linear+patch");
     assert!(Selection::method("exact").is_ok_and(|selection| selection.is_exact()));
     let exact = Selection::exact();
     assert_eq!((exact.search().name, exact.refine().name), ("cells", "patch"));
