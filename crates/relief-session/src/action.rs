@@ -44,7 +44,7 @@ pub enum Action {
     },
     /// Shows all again: the camera of the view.
     Fit,
-    /// Shows all from the present direction, however the scene is turned around its middle.
+    /// Shows all from the present direction, as large as the picture allows.
     Frame,
     /// Brings a point to the middle of the picture: the eye keeps its direction and its distance.
     LookAt {

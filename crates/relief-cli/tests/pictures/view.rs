@@ -52,7 +52,8 @@ fn what_is_framed_stays_in_the_picture() {
         + &(1..5)
             .map(|turn| {
                 format!(
-                    ", {{ \"do\": \"orbit\", \"degrees\": [75, 20] }}, {{ \"do\": \"picture\", \"file\": \"{turn}.png\" }}"
+                    ", {{ \"do\": \"orbit\", \"degrees\": [75, 20] }}, {{ \"do\": \"frame\" }}, \
+                     {{ \"do\": \"picture\", \"file\": \"{turn}.png\" }}"
                 )
             })
             .collect::<String>();
