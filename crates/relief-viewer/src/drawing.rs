@@ -114,7 +114,7 @@ impl From<RenderError> for NotDrawn {
     }
 }
 
-/// Draws scenes, and keeps what they share: files that were read, baked maps, and what the renderer has built.
+/// Draws scenes. Files that were read, baked maps and the renderer's own data are kept for the next one.
 #[derive(Debug)]
 pub struct Drawing {
     reader: SceneReader,

@@ -22,6 +22,8 @@
 mod drawing;
 mod given;
 mod saved;
+#[cfg(test)]
+mod tests;
 mod viewer;
 
 pub use drawing::{Asked, Drawing, Drawn, NotDrawn, shown};
