@@ -1,4 +1,4 @@
-// Uses the module for the web in Node: what it renders is compared with what the command renders, byte for byte.
+// Uses the module for the web in Node: its pictures are compared with the command's, byte for byte.
 //
 //     node web.mjs FOLDER PATH/TO/relief
 //     node web.mjs --size FOLDER
@@ -51,7 +51,8 @@ function heights(side) {
         const [x, y] = [at % side, Math.floor(at / side)];
         return (x * x * 3 + y * x * 7 + (y > side / 3 ? 90 : 0)) % 251;
     };
-    return Buffer.concat([Buffer.from(`P5 ${side} ${side} 255\n`), Buffer.from(Array.from({ length: side * side }, (_, at) => height(at)))]);
+    const texels = Array.from({ length: side * side }, (_, at) => height(at));
+    return Buffer.concat([Buffer.from(`P5 ${side} ${side} 255\n`), Buffer.from(texels)]);
 }
 
 const FILES = { "wall.pgm": heights(40), "maps/colours.png": sample("piebald.png") };
@@ -151,7 +152,8 @@ const tests = {
     missingFilesAreNamed() {
         const gltf = { asset: { version: "2.0" }, buffers: [{ uri: "parts/one.bin", byteLength: 36 }] };
         gltf.bufferViews = [{ buffer: 0, byteLength: 36 }];
-        gltf.accessors = [{ bufferView: 0, count: 3, componentType: 5126, type: "VEC3", min: [0, 0, 0], max: [1, 1, 1] }];
+        const bounds = { min: [0, 0, 0], max: [1, 1, 1] };
+        gltf.accessors = [{ bufferView: 0, count: 3, componentType: 5126, type: "VEC3", ...bounds }];
         gltf.meshes = [{ primitives: [{ attributes: { POSITION: 0 } }] }];
         gltf.nodes = [{ mesh: 0 }];
         const viewer = opened('mesh = "mesh.gltf"\n', { "mesh.gltf": Buffer.from(JSON.stringify(gltf)) });

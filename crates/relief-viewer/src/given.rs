@@ -47,8 +47,8 @@ impl Given {
         &self.root
     }
 
-    /// Adds a file to a group, and returns the path under which the caller keeps it. `path` is the file's path
-    /// in what was dropped.
+    /// Adds a file to a group, and returns the path where the caller keeps it. `path` is the file's path in
+    /// what was dropped.
     ///
     /// # Errors
     ///

@@ -28,6 +28,8 @@ mod not_drawn;
 mod pane;
 mod pixel;
 mod saved;
+#[cfg(test)]
+mod tests;
 mod viewer;
 
 pub use asked::Asked;

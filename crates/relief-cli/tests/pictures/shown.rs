@@ -116,7 +116,7 @@ fn errors_are_distances_from_the_exact_hit() {
 #[test]
 fn colours_are_compared_with_the_exact_picture() {
     let folder = with_map(Folder::new());
-    let flags = "--methods bump,exact --show passed,color-error,flip --scale 0.1 --backend cpu";
+    let flags = "--methods bump,exact --show passed,color-error,flip --scale 0.1";
     let about = json_of(&folder.relief(&format!("{SMALL} {flags} -o sheet.png --json")).fine());
     for (number, name) in ["passed", "color-error", "flip"].into_iter().enumerate() {
         let [bump, exact] = [0, 1].map(|column| {

@@ -7,7 +7,8 @@ use super::*;
 use crate::SceneReader;
 
 /// A triangle with texture coordinates, a buffer of its own and a picture.
-const GLTF: &str = r#"{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+const GLTF: &str = r#"{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+  "nodes": [{"mesh": 0}],
   "buffers": [{"uri": "parts/triangle%20one.bin", "byteLength": 60}],
   "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
   "accessors": [
