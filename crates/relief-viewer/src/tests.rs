@@ -6,6 +6,9 @@ use serde_json::json;
 
 use crate::{Asked, NotDrawn, Sent, Viewer};
 
+/// Files by their paths.
+type Files<'a> = &'a [(&'a str, &'a [u8])];
+
 const MAP: &[u8] = b"P5 2 2 255\n\x00\x40\x80\xff";
 
 fn viewer() -> Viewer {
@@ -16,7 +19,7 @@ fn viewer() -> Viewer {
 }
 
 /// The text of the scene after files were given together.
-fn after(files: &[(&str, &[u8])], key: Option<&str>) -> Result<String, String> {
+fn after(files: Files, key: Option<&str>) -> Result<String, String> {
     let mut viewer = viewer();
     for (path, bytes) in files {
         viewer.give(3, path, bytes.to_vec())?;
@@ -28,7 +31,7 @@ fn after(files: &[(&str, &[u8])], key: Option<&str>) -> Result<String, String> {
 #[test]
 fn files_are_put_where_they_belong() {
     let obj = b"v 0 0 0\nv 0 0 1\nv 1 0 0\nvt 0 0\nvt 0 1\nvt 1 0\nf 1/1 2/2 3/3\n";
-    let cases: [(&[(&str, &[u8])], Option<&str>, &str); 8] = [
+    let cases: [(Files, Option<&str>, &str); 8] = [
         (&[("x.pgm", MAP)], None, "height = \"x.pgm\""),
         (&[("x_normal.pgm", MAP)], None, "normal = \"x_normal.pgm\""),
         (&[("x.pgm", MAP)], Some("color"), "color = \"x.pgm\""),
@@ -46,7 +49,7 @@ fn files_are_put_where_they_belong() {
 
 #[test]
 fn what_cannot_be_taken_is_refused() {
-    let cases: [(&[(&str, &[u8])], Option<&str>, &str); 6] = [
+    let cases: [(Files, Option<&str>, &str); 6] = [
         (&[("../x.pgm", MAP)], None, "'../x.pgm' is no path"),
         (&[("x.txt", b"text")], None, "x.txt: it is no picture"),
         (&[(".hidden", MAP)], None, "there is no file in it"),

@@ -135,7 +135,7 @@ impl Viewer {
     pub fn picture(&mut self, asked: Asked, watch: &Watch) -> Result<Drawn, NotDrawn> {
         self.pane = asked.pane;
         let drawn = self.drawing.draw(self.session.spec(), asked, watch)?;
-        self.session.shown(drawn.seen.clone());
+        self.session.shown(drawn.seen);
         Ok(drawn)
     }
 
