@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use rayon::prelude::*;
-use relief_core::{ByteSize, Cancelled, Lanes, Watch};
+use relief_core::{ByteSize, Lanes, Watch};
 use relief_io::Files;
 use relief_maps::Maps;
 use relief_render::false_color::{Content, Gathered, Judge, Quantity};
@@ -120,12 +120,9 @@ impl Pane {
     ) -> Result<RenderInfo, NotDrawn> {
         let Made { renderer, scene: last, .. } = Made::of(&mut self.renderer, scene, self.lanes)?;
         *last = scene.clone();
-        let pixels = scene.size().map(|side| side as usize).iter().product::<usize>();
-        let mut done = 0;
         let rendered = renderer.render_bands(scene, maps, numbers, watch, &mut |band| {
             sink(band)?;
-            done += band.len();
-            watch.at(done as f32 / pixels as f32).map_err(|_| Cancelled)
+            watch.check()
         });
         Ok(rendered?)
     }
