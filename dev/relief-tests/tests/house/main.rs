@@ -1,7 +1,8 @@
-//! Rules for the words in all sources: which texts may name flags, and how plain the English is.
+//! Rules for all sources: which files they may be, which texts may name flags, and how plain the English is.
 
 use std::path::{Path, PathBuf};
 
+mod files;
 mod flags;
 mod words;
 
