@@ -6,7 +6,7 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { parseArgs } from "node:util";
@@ -34,8 +34,40 @@ const QUIET = ["--disable-background-networking", "--disable-component-update", 
 /** The page and what is seen on it. */
 class Web {
     constructor(page, here) {
-        Object.assign(this, { page, here });
+        Object.assign(this, { page, here, wrong: [] });
         this.canvas = Seat.prototype.canvas;
+        page.on("pageerror", (error) => this.wrong.push(error.stack ?? String(error)));
+        page.on("console", (message) => message.type() === "error" && this.wrong.push(message.text()));
+    }
+
+    /** Opens an address. */
+    async open(address) {
+        await this.page.setViewport({ width: 620, height: 420 });
+        await this.page.goto(address);
+    }
+
+    /** Another page of the same browser, at an address. */
+    async another(address) {
+        const other = new Web(await this.page.browserContext().newPage(), this.here);
+        await other.open(address);
+        return other;
+    }
+
+    text(selector) {
+        return this.page.$eval(selector, ({ textContent }) => textContent);
+    }
+
+    /** Opens a file of the folder by the browser's choice of files. */
+    async give(name) {
+        const input = await this.page.$("#files-input");
+        await input.uploadFile(join(this.here, name));
+    }
+
+    /** The address with a link to the scene. */
+    async link() {
+        await this.page.evaluate(() => document.getElementById("copy-link").click());
+        await this.page.waitForFunction(() => location.hash !== "");
+        return this.page.url();
     }
 
     /** Waits until a whole picture of what was asked for is shown. */
@@ -97,12 +129,70 @@ const tests = {
     async files_stay_in_the_browser(web) {
         const asked = [];
         web.page.on("request", (request) => asked.push(request.url()));
-        const input = await web.page.$("#files-input");
-        await input.uploadFile(data("bricks.png"));
+        await web.give("bricks.png");
         await web.page.waitForFunction(() => document.getElementById("name").textContent === "bricks.png");
         await web.rest();
         assert.deepEqual(asked.filter((address) => !address.startsWith("blob:")), []);
         await web.checkSame();
+    },
+
+    async the_first_map_takes_the_places_of_the_sample(web) {
+        await web.give("bricks.png");
+        await web.rest();
+        const text = (await web.saved("scene.toml")).toString();
+        assert.match(text, /^height = "bricks.png"/m);
+        assert.doesNotMatch(text, /^color = /m);
+        const field = await web.page.$eval('[data-key="height"] input', ({ value }) => value);
+        assert.equal(field, "bricks.png");
+    },
+
+    async a_link_shows_the_same_on_another_page(web) {
+        await web.give("bricks.png");
+        await web.rest();
+        await web.page.click('[data-do="compare"]');
+        await web.rest();
+        const link = await web.link();
+        assert.ok(link.includes("#s=1&") && !link.includes("cobbles"), link);
+        const other = await web.another(link);
+        await other.page.waitForSelector("#empty:not([hidden])");
+        assert.match(await other.text("#empty-why"), /needs bricks.png/);
+        // A file of that name with another content is none of the link's.
+        mkdirSync(join(web.here, "other"));
+        cpSync(data("cobbles.png"), join(web.here, "other", "bricks.png"));
+        await other.give("other/bricks.png");
+        await other.page.waitForSelector("#errors .message");
+        assert.match(await other.text("#errors"), /another content/);
+        await other.give("bricks.png");
+        await other.rest();
+        assert.ok((await other.canvas()).bytes.equals((await web.canvas()).bytes), "another picture");
+        assert.deepEqual(other.wrong, []);
+        await other.page.close();
+    },
+
+    async a_link_that_cannot_be_used_leaves_what_is_there(web) {
+        const sample = await web.canvas();
+        const address = (await web.link()).split("#")[0];
+        for (const [end, said] of [
+            ["s=1&height=cobbles.png", /not whole/],
+            ["s=9&height=cobbles.png&end", /version 9/],
+            ["s=1&height=none.png&end", /no such sample/],
+            [`s=1&height=${"a".repeat(1 << 20)}&end`, /1048\d+ characters/],
+        ]) {
+            const other = await web.another(`${address}#${end}`);
+            await other.rest();
+            assert.match(await other.text("#errors"), said);
+            assert.ok((await other.canvas()).bytes.equals(sample.bytes), "the sample is not shown");
+            await other.page.close();
+        }
+        // A link that is entered on an open page is one step.
+        await web.page.evaluate(() => (location.hash = "#s=1&height=cobbles.png&method=cone&scale=0.4&end"));
+        await web.page.waitForSelector('[data-do="undo"][aria-disabled="false"]');
+        await web.rest();
+        assert.ok(!(await web.canvas()).bytes.equals(sample.bytes), "the link is not followed");
+        await web.page.click('[data-do="undo"]');
+        await web.page.waitForSelector('[data-do="undo"][aria-disabled="true"]');
+        await web.rest();
+        assert.ok((await web.canvas()).bytes.equals(sample.bytes), "it is not undone");
     },
 
     async axe_finds_nothing_grave_and_nothing_can_be_ended(web) {
@@ -122,23 +212,18 @@ let failed = 0;
 for (const [name, test] of Object.entries(tests)) {
     const here = mkdtempSync(join(tmpdir(), "relief-web-"));
     for (const map of ["cobbles.png", "cobbles_color.png", "bricks.png"]) cpSync(data(map), join(here, map));
-    const page = await browser.newPage();
-    const wrong = [];
-    page.on("pageerror", (error) => wrong.push(error.stack ?? String(error)));
-    page.on("console", (message) => message.type() === "error" && wrong.push(message.text()));
+    const web = new Web(await browser.newPage(), here);
     try {
-        await page.setViewport({ width: 620, height: 420 });
-        await page.goto(address);
-        const web = new Web(page, here);
+        await web.open(address);
         await web.rest();
         await test(web);
-        assert.deepEqual(wrong, []);
+        assert.deepEqual(web.wrong, []);
         console.log(`ok      ${name}`);
     } catch (error) {
         failed += 1;
-        console.log(`FAILED  ${name}\n${error.stack}\n${wrong.join("\n")}`);
+        console.log(`FAILED  ${name}\n${error.stack}\n${web.wrong.join("\n")}`);
     } finally {
-        await page.close();
+        await web.page.close();
         rmSync(here, { recursive: true });
     }
 }

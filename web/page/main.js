@@ -18,4 +18,21 @@ async function sample(path) {
     return { path, file: await answer.blob() };
 }
 
-start(new WorkerHost(SCENE, Promise.all(SAMPLE.map(sample))));
+/** The link in the page's address; null if it has none. */
+function linked() {
+    const end = location.hash.slice(1);
+    return end.startsWith("s=") ? end : null;
+}
+
+const host = new WorkerHost(SCENE, Promise.all(SAMPLE.map(sample)), linked());
+const { failed, took } = start(host);
+host.linked.catch(failed);
+window.addEventListener("hashchange", async () => {
+    const link = linked();
+    if (link === null) return;
+    try {
+        took(await host.follow(link));
+    } catch (error) {
+        failed(error);
+    }
+});

@@ -47,12 +47,13 @@ function opened() {
 
 /** @type {Record<string, (args: any) => unknown>} */
 const calls = {
-    /** @param {{ files: { path: string, file: Blob }[], scene: string }} args */
-    async open({ files, scene }) {
+    /** @param {{ files: { path: string, file: Blob }[], scene: string, isSample: boolean, needs: string | null }} args */
+    async open({ files, scene, isSample, needs }) {
         const all = new SceneFiles();
         for (const { path, file } of files) all.add(path, await bytesOf(file));
         relief?.free();
-        relief = all.open(scene);
+        relief = all.open(scene, isSample);
+        if (needs !== null) relief.need(needs);
     },
     state: () => ({ state: JSON.parse(opened().state()), text: opened().text() }),
     apply: (sent) => JSON.parse(opened().apply(JSON.stringify(sent))),
@@ -70,8 +71,10 @@ const calls = {
         opened().give(group, path, await bytesOf(file));
     },
     take: ({ group, key }) => JSON.parse(opened().take(group, key ?? undefined)),
-    save({ what, stop }) {
-        const bytes = opened().save(what, heard(stop));
+    link: ({ link, begins }) => JSON.parse(opened().open_link(link, begins)),
+    made_link: () => ({ text: opened().link() }),
+    save({ what, view, stop }) {
+        const bytes = opened().save(what, view, heard(stop));
         return { bytes };
     },
 };

@@ -1,7 +1,7 @@
 // The host in a worker of the page: the module draws on the CPU, and no file leaves the browser.
 
 /** @import { Action, Applied, Drawn, Given, Host, Progress, ReadPixel, Saved, State } from "./protocol.d.ts" */
-/** @import { Wish } from "./protocol.d.ts" */
+/** @import { SavedOf, Wish } from "./protocol.d.ts" */
 /** @import { Answer, SceneFile } from "./worker_messages.d.ts" */
 
 import { Gone, Outdated, Refused, viewsOf } from "./shared.js";
@@ -21,11 +21,13 @@ const SCENE = "scene.toml";
 /** @implements {Host} */
 export class WorkerHost {
     canEnd = false;
+    keeps = false;
     gone = FAULT;
     /** @type {Worker | null} */ #worker = null;
     /** @type {Map<number, Waiting>} */ #waiting = new Map();
     #last = 0;
-    #group = 0;
+    /** Groups of files in links are counted from 1. */
+    #group = 1000;
     /** @type {Progress} */ #progress = { task: "", part: 0 };
     /** @type {{ stop: string, isQuick: boolean } | null} */ #drawing = null;
     /** The files that came in, for a module that starts again. @type {{ group: number, given: Given }[]} */
@@ -35,15 +37,30 @@ export class WorkerHost {
     #files;
     /** Whether the scene has been opened: other requests wait for it. @type {Promise<unknown>} */
     #opened = Promise.resolve();
+    /** The link that was followed, whose files a module that starts again needs. @type {string | null} */
+    #link = null;
+    /** Fails if the link that the page began with cannot be followed. @type {Promise<unknown>} */ linked;
 
     /**
      * @param {string} text the scene, as a file
      * @param {Promise<SceneFile[]>} files the files that it names
+     * @param {string | null} link a link to another scene, in place of this one
      */
-    constructor(text, files) {
+    constructor(text, files, link) {
         this.#text = text;
         this.#files = files;
         this.#start();
+        this.linked = this.#begin(link);
+        // Other requests wait for it.
+        this.#opened = this.linked.catch(() => {});
+    }
+
+    /** @param {string | null} link */
+    async #begin(link) {
+        await this.#opened;
+        if (link === null) return;
+        await this.#post("link", { link, begins: true });
+        this.#link = link;
     }
 
     /** Starts a module with the scene and all files. */
@@ -65,7 +82,8 @@ export class WorkerHost {
             path: `given/${group}/${path}`,
             file,
         }));
-        await this.#post("open", { files: [scene, ...(await this.#files), ...given], scene: SCENE });
+        const files = [scene, ...(await this.#files), ...given];
+        await this.#post("open", { files, scene: SCENE, isSample: true, needs: this.#link });
     }
 
     /**
@@ -207,14 +225,33 @@ export class WorkerHost {
     }
 
     /**
+     * Goes to the scene of a link.
+     * @param {string} link
+     * @returns {Promise<Applied>}
+     */
+    async follow(link) {
+        this.#endWhatIsOld(false);
+        const applied = await this.#ask("link", { link, begins: false });
+        this.#link = link;
+        return applied;
+    }
+
+    /** @returns {Promise<string>} */
+    async link() {
+        return (await this.#ask("made_link")).text;
+    }
+
+    /**
      * @param {string} what
-     * @param {{ revision: number }} of
+     * @param {SavedOf} of
      * @returns {Promise<Saved>}
      */
-    async save(what, { revision }) {
+    async save(what, { view, revision }) {
+        // The picture in hand is drawn again afterwards.
+        if (this.#drawing) URL.revokeObjectURL(this.#drawing.stop);
         const { state } = await this.#ask("state");
         if (state.revision !== revision) throw new Outdated("the scene has changed");
-        const { bytes } = await this.#ask("save", { what, stop: null });
+        const { bytes } = await this.#ask("save", { what, view, stop: null });
         return { name: what, blob: new Blob([bytes]) };
     }
 

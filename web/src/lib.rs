@@ -40,13 +40,14 @@ impl SceneFiles {
         Ok(self.0.insert(path, bytes)?)
     }
 
-    /// Opens the scene at a path.
+    /// Opens the scene at a path. The first heights that are given take the places of all maps of a sample.
     ///
     /// # Errors
     ///
     /// When the scene's file cannot be read.
-    pub fn open(self, scene: &str) -> Result<Relief, JsError> {
-        Ok(Relief { viewer: Viewer::open(self.0, Path::new(scene))? })
+    pub fn open(self, scene: &str, is_sample: bool) -> Result<Relief, JsError> {
+        let viewer = Viewer::open(self.0, Path::new(scene))?;
+        Ok(Relief { viewer: if is_sample { viewer.with_sample() } else { viewer } })
     }
 }
 
@@ -109,7 +110,7 @@ impl Relief {
                 Ok(Some(Picture { about, pixels: drawn.into_pixels() }))
             }
             Err(NotDrawn::Cancelled(_)) => Ok(None),
-            Err(error) => Err(JsError::new(&self.viewer.named(&error.to_string()))),
+            Err(error) => Err(JsError::new(&self.viewer.said_of_picture(&error))),
         }
     }
 
@@ -122,7 +123,7 @@ impl Relief {
         match watched(heard, |watch| self.viewer.pixel([x, y], watch)) {
             Ok(found) => Ok(Some(found.to_string())),
             Err(NotDrawn::Cancelled(_)) => Ok(None),
-            Err(error) => Err(JsError::new(&self.viewer.named(&error.to_string()))),
+            Err(error) => Err(JsError::new(&self.viewer.said_of_picture(&error))),
         }
     }
 
@@ -150,13 +151,42 @@ impl Relief {
         changed.map(|changed| changed.to_string()).map_err(|said| JsError::new(&said))
     }
 
-    /// Returns the bytes of a file to save.
+    /// Returns a link to the scene, as the end of an address behind `#`.
+    ///
+    /// # Errors
+    ///
+    /// When it would be too long, or the scene lacks files.
+    pub fn link(&self) -> Result<String, JsError> {
+        self.viewer.link().map_err(|said| JsError::new(&said))
+    }
+
+    /// Goes to the scene of a link, and returns what changed: `Applied`. As the beginning it cannot be undone.
+    ///
+    /// # Errors
+    ///
+    /// When it is no link, or its scene is refused.
+    pub fn open_link(&mut self, text: &str, begins: bool) -> Result<String, JsError> {
+        let changed = self.viewer.open_link(text, begins);
+        changed.map(|changed| changed.to_string()).map_err(|said| JsError::new(&said))
+    }
+
+    /// Waits for the files of a link whose scene is open.
+    ///
+    /// # Errors
+    ///
+    /// When it is no link.
+    pub fn need(&mut self, text: &str) -> Result<(), JsError> {
+        self.viewer.need(text).map_err(|said| JsError::new(&said))
+    }
+
+    /// Returns the bytes of a file to save, of one of the views, from 0 on.
     ///
     /// # Errors
     ///
     /// When no file has this name, or the picture cannot be drawn.
-    pub fn save(&mut self, what: &str, heard: Option<Function>) -> Result<Vec<u8>, JsError> {
-        watched(heard, |watch| self.viewer.save(what, watch)).map_err(|said| JsError::new(&said))
+    pub fn save(&mut self, what: &str, view: u32, heard: Option<Function>) -> Result<Vec<u8>, JsError> {
+        watched(heard, |watch| self.viewer.save(what, view as usize, watch))
+            .map_err(|said| JsError::new(&said))
     }
 }
 

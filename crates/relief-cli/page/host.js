@@ -1,13 +1,14 @@
 // The host over HTTP: the only module that knows addresses and statuses.
 
 /** @import { Action, Applied, Drawn, Given, Host, Progress } from "./protocol.d.ts" */
-/** @import { ReadPixel, Saved, State, Wish } from "./protocol.d.ts" */
+/** @import { ReadPixel, Saved, SavedOf, State, Wish } from "./protocol.d.ts" */
 
 import { Gone, Outdated, Refused, newNumber, viewsOf } from "./shared.js";
 
 /** @implements {Host} */
 export class HttpHost {
     canEnd = true;
+    keeps = true;
     gone = "The program has ended. Start `relief view` again.";
 
     /** @returns {Promise<State>} */
@@ -74,11 +75,11 @@ export class HttpHost {
 
     /**
      * @param {string} what
-     * @param {{ surface: number, revision: number }} of the surface of a method, and the scene that is shown
+     * @param {SavedOf} of
      * @returns {Promise<Saved>}
      */
-    async save(what, { surface, revision }) {
-        const query = `what=${encodeURIComponent(what)}&surface=${surface}&revision=${revision}`;
+    async save(what, { view, surface, revision }) {
+        const query = `what=${encodeURIComponent(what)}&view=${view}&surface=${surface}&revision=${revision}`;
         const answer = await ask(`save?${query}`);
         const name = fileName(answer.headers.get("Content-Disposition") ?? "") ?? what;
         return { name, blob: await arrived(answer.blob()) };

@@ -13,10 +13,10 @@ import { Empty, Toolbar } from "./toolbar.js";
 import { ViewBoxes } from "./view_boxes.js";
 import { Views } from "./views.js";
 
-/** @import { Host, State } from "./protocol.d.ts" */
+/** @import { Applied, Host, State } from "./protocol.d.ts" */
 
 /**
- * Shows the scene of a host.
+ * Shows the scene of a host. Returns what shows an error, and what follows a change that the host made by itself.
  * @param {Host} host
  */
 export function start(host) {
@@ -32,9 +32,9 @@ export function start(host) {
     const camera = new Camera(canvas, session, failed);
     const views = new Views(canvas, session, failed);
     const reading = new Reading(canvas, host, session, views, failed);
-    const boxes = new ViewBoxes(session, failed, (pixel) => reading.mark(pixel));
+    const boxes = new ViewBoxes(session, failed, (pixel, view) => reading.mark(pixel, view));
     new Toolbar(host, session, camera, views);
-    new Saves({ host, session, messages, surface: () => panel.surface });
+    new Saves({ host, session, messages, boxes, surface: () => panel.surface });
     new Picture({
         ...{ canvas, host, session, messages, views },
         pane: byId("pane"),
@@ -53,7 +53,19 @@ export function start(host) {
     for (const event of ["visibilitychange", "focus"]) {
         window.addEventListener(event, () => document.visibilityState === "visible" && session.look(), true);
     }
+    if (!host.keeps) warnsBeforeLoss(session);
     session.readState();
+    return { failed, took: (/** @type {Applied} */ applied) => session.took(applied) };
+}
+
+/**
+ * The browser asks before it leaves a page with changes that nobody keeps.
+ * @param {Session} session
+ */
+function warnsBeforeLoss(session) {
+    let hasChanges = false;
+    session.listen({ undo: ([canUndo]) => (hasChanges = canUndo) });
+    window.addEventListener("beforeunload", (event) => hasChanges && event.preventDefault());
 }
 
 /** @param {State} state */

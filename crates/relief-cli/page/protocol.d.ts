@@ -43,6 +43,8 @@ export interface Save {
     label: string;
     /** Whether it is made of one surface. */
     of_surface: boolean;
+    /** Whether it is made of one view. */
+    of_view: boolean;
 }
 
 export interface State {
@@ -70,7 +72,7 @@ export type Action =
     | { do: "pan"; by: [number, number] }
     | { do: "zoom"; factor: number }
     | { do: "look-at"; point: [number, number, number] }
-    | { do: "add-surface" | "fit" | "frame" | "undo" | "redo" | "reset" };
+    | { do: "add-surface" | "fit" | "frame" | "keep-second" | "undo" | "redo" | "reset" };
 
 /** The picture that is wanted: the pane's size in device pixels, and the factor on both sides. */
 export interface Wish {
@@ -127,10 +129,13 @@ export interface ReadPixel {
     views: (PixelNumbers | null)[];
 }
 
-export type PixelNumbers =
+export type PixelNumbers = { shown?: ShownNumber } & (
     | { hit: false; exact_uv: [number, number] | null }
     | {
           hit: true;
+          /** Number of the surface, and its method where there are several. */
+          surface: number;
+          method: string | null;
           uv: [number, number];
           height_m: number | null;
           depth_m: number;
@@ -139,7 +144,15 @@ export type PixelNumbers =
           steps: number;
           error_texels: number | null;
           exact_uv: [number, number] | null;
-      };
+      }
+);
+
+/** The number that a view shows at a pixel; null where there is none. */
+export interface ShownNumber {
+    name: string;
+    unit: string;
+    value: number | null;
+}
 
 export interface Progress {
     task: string;
@@ -152,6 +165,13 @@ export interface Given {
     file: File;
 }
 
+/** What a file is made of. */
+export interface SavedOf {
+    view: number;
+    surface: number;
+    revision: number;
+}
+
 export interface Saved {
     name: string;
     blob: Blob;
@@ -161,6 +181,8 @@ export interface Saved {
 export interface Host {
     /** Whether there is a program that can be ended. */
     readonly canEnd: boolean;
+    /** Whether a scene outlives its page: the page may be opened again. */
+    readonly keeps: boolean;
     /** What is to be done when the host does not answer. */
     readonly gone: string;
     state(): Promise<State>;
@@ -171,6 +193,8 @@ export interface Host {
     progress(): Promise<Progress>;
     give(files: Given[], key: string | null, sent: (part: number) => void): Promise<Applied>;
     /** Fails with `Outdated` if the scene has another revision. */
-    save(what: string, of: { surface: number; revision: number }): Promise<Saved>;
+    save(what: string, of: SavedOf): Promise<Saved>;
+    /** A link to the scene, as the end of an address behind #; a host of one machine has none. */
+    link?(): Promise<string>;
     end(): Promise<void>;
 }

@@ -12,6 +12,15 @@ import { Gone, Outdated } from "./shared.js";
 /** Pixels of the page that a press may move by and be a click. */
 const CLICK = 4;
 
+/** Pixels of the page around a mark that nothing else covers. */
+const MARK = 16;
+
+/** The boxes of the views, which give way to the mark. */
+const BOXES = ["first", "second"];
+
+/** Numbers that are read in any case. */
+const READ = ["height", "depth", "reads", "steps", "error"];
+
 /** @typedef {[number, number]} Pixel */
 
 export class Reading {
@@ -27,6 +36,8 @@ export class Reading {
     /** @type {ReadPixel | null} */ #read = null;
     #asking = false;
     #resting = false;
+    /** Whether a pixel is being brought to the middle. */
+    #isCentred = false;
     /** @type {Pixel | null} */ #pressed = null;
     /** @type {(string | null)[]} */ #methods = [];
 
@@ -52,7 +63,7 @@ export class Reading {
         });
         canvas.addEventListener("click", (event) => this.#click(event));
         canvas.addEventListener("dblclick", (event) => this.#centre(this.#pixelOf(event), event));
-        canvas.addEventListener("keydown", ({ key }) => key === "Escape" && this.#unmark());
+        document.addEventListener("keydown", (event) => this.#key(event));
         byId("unmark").addEventListener("click", () => this.#unmark());
         byId("centre").addEventListener("click", () => this.#centre(this.#marked));
     }
@@ -64,14 +75,25 @@ export class Reading {
     rested(methods) {
         this.#methods = methods;
         this.#resting = true;
+        if (this.#isCentred) this.mark([this.#canvas.width >> 1, this.#canvas.height >> 1]);
+        this.#isCentred = false;
+    }
+
+    /** @param {KeyboardEvent} event */
+    #key({ key, target, defaultPrevented }) {
+        const isOfOther = target instanceof Element && target.closest("input, select, dialog, .menu[open]");
+        if (key === "Escape" && !defaultPrevented && !isOfOther) this.#unmark();
     }
 
     /**
-     * Marks a pixel and shows its numbers.
+     * Marks a pixel and shows its numbers; and the pixel itself, if the divider hides it in the view that is
+     * meant.
      * @param {Pixel} pixel
+     * @param {number} [view]
      */
-    mark(pixel) {
+    mark(pixel, view) {
         this.#marked = pixel;
+        if (view !== undefined) this.#views.reveal((pixel[0] + 0.5) / this.#canvas.width, view);
         this.#ask(pixel);
     }
 
@@ -147,7 +169,11 @@ export class Reading {
         this.#box.hidden = read === null;
         byId("reading-buttons").hidden = this.#marked === null;
         this.#mark.hidden = read === null || this.#marked === null;
-        if (!read) return;
+        if (!read) {
+            for (const box of BOXES) byId(box).style.translate = "";
+            return;
+        }
+        this.#place(read.at);
         const [x, y] = read.at;
         byId("reading-at").textContent = `Pixel ${x}, ${y}`;
         const columns = read.views.map((numbers) => lines(numbers));
@@ -167,9 +193,32 @@ export class Reading {
             ),
         );
         byId("reading-table").replaceChildren(...(read.views.length > 1 ? [head, ...rows] : rows));
+    }
+
+    /**
+     * Puts the mark on a pixel, and what stands over it beside it.
+     * @param {Pixel} pixel
+     */
+    #place([x, y]) {
         const box = shownBox(this.#canvas);
-        this.#mark.style.left = `${box.left + ((x + 0.5) / this.#canvas.width) * box.width}px`;
-        this.#mark.style.top = `${box.top + ((y + 0.5) / this.#canvas.height) * box.height}px`;
+        const [left, top] = [
+            box.left + ((x + 0.5) / this.#canvas.width) * box.width,
+            box.top + ((y + 0.5) / this.#canvas.height) * box.height,
+        ];
+        this.#mark.style.left = `${left}px`;
+        this.#mark.style.top = `${top}px`;
+        const pane = byId("pane").getBoundingClientRect();
+        this.#box.classList.toggle("left", left > 0.55 * pane.width && top > 0.55 * pane.height);
+        for (const over of BOXES.map(byId)) {
+            over.style.translate = "";
+            const rect = over.getBoundingClientRect();
+            const [x, y] = [pane.left + left, pane.top + top];
+            const isBeside = x < rect.left - MARK || x > rect.right + MARK;
+            const isOver = !isBeside && y > rect.top - MARK && y < rect.bottom + MARK;
+            if (!isOver || this.#marked === null) continue;
+            const [wanted, most] = [y + MARK - rect.top, pane.bottom - 10 - rect.bottom];
+            over.style.translate = `0 ${Math.max(0, Math.min(wanted, most))}px`;
+        }
     }
 
     /**
@@ -184,8 +233,13 @@ export class Reading {
             const read = isRead ? this.#read : await this.#host.pixel(pixel);
             const own = read?.views[this.#views.at(pixel[0] / this.#canvas.width)];
             const seen = [own, ...(read?.views ?? [])].find((numbers) => numbers?.hit);
-            if (seen?.hit) await this.#session.apply({ do: "look-at", point: seen.position_m });
+            if (!seen?.hit) return;
+            const applied = this.#session.apply({ do: "look-at", point: seen.position_m });
+            // What is in the middle is read again.
+            this.#isCentred = true;
+            await applied;
         } catch (error) {
+            this.#isCentred = false;
             if (!(error instanceof Outdated)) this.#failed(error);
         }
         event?.preventDefault();
@@ -207,12 +261,27 @@ function same(a, b) {
  */
 function lines(numbers) {
     if (!numbers) return new Map();
-    if (!numbers.hit) return new Map([["hit", numbers.exact_uv ? "missed" : "none"]]);
-    const { uv, height_m, depth_m, reads, steps, error_texels } = numbers;
-    const all = new Map([["u, v", uv.map((part) => part.toFixed(4)).join(", ")]]);
-    if (height_m !== null) all.set("height", `${short(height_m)} m`);
-    all.set("depth", `${short(depth_m)} m`);
+    /** @type {Map<string, string>} */ const all = new Map();
+    const { shown } = numbers;
+    if (shown && !READ.includes(shown.name)) {
+        const value = shown.value === null ? "–" : `${short(shown.value)} ${shown.unit}`;
+        all.set(shown.name, value.trim());
+    }
+    if (!numbers.hit) return all.set("hit", numbers.exact_uv ? "missed" : "none");
+    const { uv, height_m, depth_m, reads, steps, error_texels, surface, method } = numbers;
+    if (method !== null) all.set("surface", `${surface}, ${method}`);
+    all.set("u, v", uv.map((part) => part.toFixed(4)).join(", "));
+    if (height_m !== null) all.set("height", `${precise(height_m)} m`);
+    all.set("depth", `${precise(depth_m)} m`);
     all.set("reads, steps", `${reads}, ${steps}`);
     if (error_texels !== null) all.set("error", `${short(error_texels)} texels`);
     return all;
+}
+
+/**
+ * A length in five digits: neighbours differ.
+ * @param {number} length
+ */
+function precise(length) {
+    return Math.abs(length) < 1e-4 ? short(length) : `${Number(length.toPrecision(5))}`;
 }

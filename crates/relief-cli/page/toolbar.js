@@ -133,7 +133,7 @@ function closesItself(menu) {
     if (!(menu instanceof HTMLDetailsElement)) return;
     const close = () => (menu.open = false);
     menu.addEventListener("click", ({ target }) => {
-        if (target instanceof Element && target.closest("li")) close();
+        if (target instanceof Element && target.closest("li button")) close();
     });
     menu.addEventListener("keydown", ({ key }) => {
         if (key !== "Escape" || !menu.open) return;

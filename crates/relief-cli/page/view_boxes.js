@@ -5,6 +5,7 @@
 
 import { byId, element } from "./elements.js";
 import { figuresOf } from "./figures.js";
+import { arranges } from "./picture.js";
 import { newNumber } from "./shared.js";
 import { controlOf, textOf, written } from "./values.js";
 
@@ -19,13 +20,13 @@ export class ViewBoxes {
     #failed;
     #worst;
     /** @type {Box[]} */ #boxes;
-    #own = "";
+    /** @type {string[]} */ #methods = [];
     #hasSecond = false;
 
     /**
      * @param {Session} session
      * @param {(error: unknown) => void} failed
-     * @param {(pixel: [number, number]) => void} worst shows a pixel
+     * @param {(pixel: [number, number], view: number) => void} worst shows a pixel of a view
      */
     constructor(session, failed, worst) {
         this.#session = session;
@@ -36,20 +37,29 @@ export class ViewBoxes {
             else this.#act({ do: "set", key, value: written(name) });
         };
         this.#boxes = [
-            new Box("first", ["viewer.show"], set, (pixel) => this.#worst(pixel)),
-            new Box("second", ["viewer.second", "viewer.second-show"], set, (pixel) => this.#worst(pixel)),
+            new Box("first", ["viewer.show"], set, (pixel) => this.#worst(pixel, 0)),
+            new Box("second", ["viewer.second", "viewer.second-show"], set, (pixel) => this.#worst(pixel, 1)),
         ];
+        byId("keep-second").addEventListener("click", () => this.#act({ do: "keep-second" }));
         byId("close-second").addEventListener("click", () => this.toggle());
         for (const button of document.querySelectorAll('[data-do="compare"]')) {
             button.addEventListener("click", () => this.toggle());
         }
-        session.listen({ state: (state) => this.#state(state) });
+        session.listen({
+            state: (state) => this.#state(state),
+            changed: (keys) => keys.every(arranges) || this.#boxes.forEach((box) => box.age()),
+        });
+    }
+
+    /** The method of each view. */
+    get methods() {
+        return this.#methods;
     }
 
     /** Opens the second view, or closes it. */
     toggle() {
         if (!this.#hasSecond) {
-            const value = SECOND.find((name) => name !== this.#own) ?? "exact";
+            const value = SECOND.find((name) => name !== this.#methods[0]) ?? "exact";
             this.#act({ do: "set", key: "viewer.second", value });
             return;
         }
@@ -60,7 +70,7 @@ export class ViewBoxes {
 
     /** @param {AboutPicture} about */
     drawn({ views }) {
-        this.#own = views[0]?.method ?? "";
+        this.#methods = views.map(({ method }, number) => method ?? this.#methods[number] ?? "");
         views.forEach((view, number) => this.#boxes[number]?.drawn(view));
     }
 
@@ -70,6 +80,7 @@ export class ViewBoxes {
         this.#hasSecond = given("viewer.second") !== null || given("viewer.second-show") !== null;
         for (const box of this.#boxes) box.state((key) => controlOf(panel, key));
         byId("second").hidden = !this.#hasSecond;
+        if (!this.#hasSecond) this.#methods.splice(1);
         for (const button of document.querySelectorAll('[data-do="compare"]')) {
             button.setAttribute("aria-pressed", `${this.#hasSecond}`);
         }
@@ -98,6 +109,11 @@ class Box {
     #failed;
     #worst;
     /** @type {[number, number] | null} */ #pixel = null;
+    #box;
+    #isOld = false;
+    /** Whether the worst pixel of the next picture is to be shown. */
+    #isAsked = false;
+    #show;
 
     /**
      * @param {string} id
@@ -107,6 +123,8 @@ class Box {
      */
     constructor(id, keys, set, worst) {
         const box = byId(id);
+        this.#box = box;
+        this.#show = worst;
         const part = (/** @type {string} */ name) => {
             const found = box.querySelector(`.${name}`);
             if (!(found instanceof HTMLElement)) throw new Error(`the view '${id}' has no ${name}`);
@@ -123,7 +141,19 @@ class Box {
             this.#selects.set(key, select);
         }
         this.#worst = part("worst");
-        this.#worst.addEventListener("click", () => this.#pixel && worst(this.#pixel));
+        this.#worst.addEventListener("click", () => this.#ask());
+    }
+
+    #ask() {
+        if (this.#isOld) this.#isAsked = true;
+        else if (this.#pixel) this.#show(this.#pixel);
+    }
+
+    /** What it says is of a picture that will be another soon. */
+    age() {
+        this.#isOld = true;
+        this.#box.classList.add("old");
+        this.#figures.setAttribute("aria-busy", "true");
     }
 
     /** @param {(key: string) => Control | undefined} controlled */
@@ -147,6 +177,11 @@ class Box {
         this.#figures.replaceChildren(...lines.map((line) => element("span", {}, line)));
         this.#pixel = errors?.worst ?? null;
         this.#worst.hidden = this.#pixel === null;
+        this.#isOld = false;
+        this.#box.classList.remove("old");
+        this.#figures.setAttribute("aria-busy", "false");
+        if (this.#isAsked) this.#ask();
+        this.#isAsked = false;
     }
 }
 

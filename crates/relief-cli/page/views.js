@@ -9,6 +9,11 @@ import { controlOf, numberOf } from "./values.js";
 
 /** Part of the width that a press of an arrow key moves the divider by. */
 const STEP = 0.02;
+/** The part of the width between a place that is revealed and the divider. */
+const BESIDE = 0.08;
+/** Pixels of the page below which a view has no room for numbers, and the least width of its box. */
+const FOLDED = 220;
+const LEAST = 72;
 /** Colour behind a view that cannot be drawn. */
 const NOTHING = "#808080";
 
@@ -68,6 +73,19 @@ export class Views {
         return count > 1 && place >= divider !== swapped ? 1 : 0;
     }
 
+    /**
+     * Moves the divider, if it hides a place of a view.
+     * @param {number} place
+     * @param {number} view
+     */
+    reveal(place, view) {
+        const { count, swapped } = this.#arranged;
+        if (count < 2 || this.at(place) === view) return;
+        const isLeft = (view === 0) !== swapped;
+        this.#move(isLeft ? place + BESIDE : place - BESIDE);
+        this.#tell();
+    }
+
     /** @param {State} state */
     #arrange({ panel }) {
         const divider = numberOf(controlOf(panel, "viewer.divider")?.value ?? "0.5") ?? 0.5;
@@ -105,6 +123,7 @@ export class Views {
     #place() {
         const { count, divider, swapped } = this.#arranged;
         this.#divider.hidden = count < 2;
+        this.#placeBoxes();
         byId("pane").classList.toggle("two", count > 1);
         byId("pane").classList.toggle("swapped", count > 1 && swapped);
         if (count < 2) return;
@@ -114,6 +133,19 @@ export class Views {
         style.top = `${box.top}px`;
         style.height = `${box.height}px`;
         this.#divider.setAttribute("aria-valuenow", `${Math.round(100 * divider)}`);
+    }
+
+    /** Each box stays within its view, and leaves out its numbers where there is no room. */
+    #placeBoxes() {
+        const { count, divider, swapped } = this.#arranged;
+        const { left, width } = shownBox(this.#canvas);
+        [byId("first"), byId("second")].forEach((box, view) => {
+            const isLeft = (view === 0) !== swapped;
+            const room = isLeft ? left + divider * width : left + (1 - divider) * width;
+            const isFolded = count > 1 && room < FOLDED;
+            box.classList.toggle("folded", isFolded);
+            box.style.setProperty("--room", isFolded ? `${Math.max(room - 20, LEAST)}px` : "100%");
+        });
     }
 
     #listen() {
@@ -161,6 +193,10 @@ export class Views {
     #leave() {
         if (!this.#held) return;
         this.#held = false;
+        this.#tell();
+    }
+
+    #tell() {
         this.#set("viewer.divider", Number(this.#arranged.divider.toFixed(3)));
     }
 

@@ -80,14 +80,20 @@ const STOPS: [f32; 2] = [-12.473_93, 4.026_069];
 /// from 0 to 1 over [`STOPS`].
 const CURVE: [f32; 7] = [15.5, -40.14, 31.96, -6.868, 0.4298, 0.1191, -0.002_32];
 
+/// Power that makes the curve's values linear: the nearest number of 32 bits to 2.2, as shaders have it.
+const POWER: f64 = 2.2_f32 as f64;
+
 fn agx(light: [f32; 3]) -> [f32; 3] {
+    // Logarithms and powers of 64 bits, rounded once: those of 32 bits are others from system to system, and then a
+    // pixel in some hundred thousand is.
     let curve = |light: f32| {
-        let stops = light.max(1e-10).log2();
+        let stops = f64::from(light.max(1e-10)).log2() as f32;
         let part = ((stops - STOPS[0]) / (STOPS[1] - STOPS[0])).clamp(0.0, 1.0);
         CURVE.into_iter().fold(0.0, |sum, coefficient| sum * part + coefficient)
     };
     let shown = times(&OUTSET, times(&INSET, times(&TO_REC2020, light)).map(curve));
-    times(&FROM_REC2020, shown.map(|part| part.max(0.0).powf(2.2))).map(|part| part.clamp(0.0, 1.0))
+    times(&FROM_REC2020, shown.map(|part| f64::from(part.max(0.0)).powf(POWER) as f32))
+        .map(|part| part.clamp(0.0, 1.0))
 }
 
 fn times(rows: &Rows, [red, green, blue]: [f32; 3]) -> [f32; 3] {

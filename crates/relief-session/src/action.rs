@@ -10,8 +10,9 @@ pub enum Action {
     Set {
         /// Key of a scene file, such as `scale`, `set.search.steps` or `surfaces[1].color`.
         key: String,
-        /// Value as the file writes it, such as `0.05`, `"5cm"` or `[2, 1]`. A name or a path may stand without
-        /// its quotation marks. In JSON it may also be a number, `true`, `false` or a list of numbers.
+        /// Value as the file writes it, such as `0.05`, `"5cm"` or `[2, 1]`. A name or a path may stand
+        /// without its quotation marks. In JSON it may also be a number, `true`, `false` or a list of
+        /// numbers.
         #[serde(deserialize_with = "written")]
         value: String,
     },
@@ -51,6 +52,8 @@ pub enum Action {
         /// Point in metres.
         point: [f64; 3],
     },
+    /// Keeps what the second view shows, and closes that view: its method becomes the one of all surfaces.
+    KeepSecond,
     /// Turns the only light, or the look's.
     TurnLight {
         /// Degrees to the right and up, as seen from above and from the side.
@@ -67,7 +70,7 @@ pub enum Action {
 
 impl Action {
     /// The names of all actions, as JSON has them under `do`.
-    pub const NAMES: [&str; 14] = [
+    pub const NAMES: [&str; 15] = [
         "set",
         "lose",
         "add-surface",
@@ -78,6 +81,7 @@ impl Action {
         "fit",
         "frame",
         "look-at",
+        "keep-second",
         "turn-light",
         "undo",
         "redo",

@@ -12,8 +12,8 @@ const POLE_DEG: f64 = 0.5;
 /// Part of the picture that a framed scene fills along the axis that it fills more, as from a view.
 const FILLED: f64 = 0.94;
 
-/// Least and greatest height of a zoomed picture, in radii of the scene: some texels of a fine map, and a scene
-/// of a few pixels.
+/// Least and greatest height of a zoomed picture, in radii of the scene: some texels of a fine map, and a
+/// scene of a few pixels.
 const HEIGHTS: [f64; 2] = [1e-4, 1e2];
 
 /// Tangent of half the field of view that a camera has by default.
@@ -162,8 +162,8 @@ impl Seen {
         Ok((self.target + (self.eye - self.target) * (height_m / self.height_m), height_m))
     }
 
-    /// Eye, target and height of the picture from which all is seen, in the present direction. None if it is not
-    /// known where the scene is.
+    /// Eye, target and height of the picture from which all is seen, in the present direction. None if it is
+    /// not known where the scene is.
     pub fn framed(&self) -> Option<(DVec3, DVec3, f64)> {
         let extent = self.extent?;
         let back = (self.eye - self.target).normalize_or(DVec3::Z);
@@ -174,8 +174,8 @@ impl Seen {
             let tall = extent.reach(up).max(extent.reach(right) / self.aspect) * 2.0 / FILLED;
             return Some((extent.middle + back * (deep + tall), extent.middle, tall));
         }
-        // Planes through opposite edges of the filled part enclose all points. The axis whose planes meet farther
-        // away decides.
+        // Planes through opposite edges of the filled part enclose all points. The axis whose planes meet
+        // farther away decides.
         let half_view = self.half_view();
         let tans = [half_view * FILLED * self.aspect, half_view * FILLED];
         let [across, along] = [0, 1].map(|axis| {

@@ -10,7 +10,7 @@ use toml::{Table, Value};
 use crate::Refused;
 
 /// The list of surfaces in a file.
-const SURFACES: &str = "surfaces";
+pub const SURFACES: &str = "surfaces";
 
 /// Tables of values whose members are keys of their own here.
 const TABLES: [&str; 3] = ["set", "material", "viewer"];
@@ -34,10 +34,7 @@ impl<'a> Place<'a> {
             }
             None => (None, key),
         };
-        let is_word = |word: &str| {
-            !word.is_empty() && word.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_')
-        };
-        if !own.split('.').all(is_word) || own == SURFACES {
+        if !is_key(own) || own == SURFACES {
             return Err(refused());
         }
         let first = own.split('.').next().unwrap_or_default();
@@ -48,6 +45,14 @@ impl<'a> Place<'a> {
         let surface = surface.filter(|number| !(spec.surfaces.is_empty() && *number == 0));
         Ok(Self { surface, key: own })
     }
+}
+
+/// Whether a text can be a key within the scene or a surface.
+pub fn is_key(text: &str) -> bool {
+    let is_word = |word: &str| {
+        !word.is_empty() && word.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_')
+    };
+    text.split('.').all(is_word)
 }
 
 /// Reads a scene from text and checks all that needs no file.
@@ -119,7 +124,7 @@ pub fn with(spec: &SceneSpec, key: &str, value: &str) -> Result<SceneSpec, Refus
 }
 
 /// Whether a value is a text that needs no quotation marks to be told from others.
-fn is_plain(value: &str) -> bool {
+pub fn is_plain(value: &str) -> bool {
     !value.is_empty() && !value.contains(|c: char| c.is_control() || "\"'=#[]{},".contains(c))
 }
 

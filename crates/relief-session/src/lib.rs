@@ -1,8 +1,8 @@
 //! A scene as one document that actions change. For viewers, editors and scripts: it draws nothing, and reads
 //! no file.
 //!
-//! * [`Session`] holds the document, a scene file. [`Session::apply`] says which keys changed, or refuses with
-//!   the reason and changes nothing.
+//! * [`Session`] holds the document, a scene file. [`Session::apply`] says which keys changed, or refuses
+//!   with the reason and changes nothing.
 //! * [`Action`] is one change: a key gets a value or loses it, as text, as in the file; surfaces come and go;
 //!   the camera and the sun turn; undo, redo, back to the start.
 //! * [`Session::panel`] describes a control for every key and every setting of the chosen variants.
@@ -28,6 +28,7 @@ mod camera;
 #[cfg(test)]
 mod camera_tests;
 mod document;
+mod link;
 mod panel;
 mod session;
 #[cfg(test)]
@@ -35,5 +36,6 @@ mod tests;
 
 pub use action::{Action, Changed, Refused};
 pub use camera::{Extent, Seen};
+pub use link::{Link, LinkError, LinkedFile};
 pub use panel::{Choice, Control, Kind, Panel, label_of};
 pub use session::{Drag, Session, Taken};

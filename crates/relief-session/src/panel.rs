@@ -173,8 +173,10 @@ impl Control {
             let refused = with(spec, &self.key, &format!("{:?}", choice.name)).err();
             // A second view may be of a method that does not go with the scene: it says so where it is shown.
             let second = || spec.by_method(&choice.name).selections().err().map(|error| error.to_string());
+            let shown = || spec.why_not_shown(choice.name.parse().ok()?).map(str::to_owned);
             choice.refused = match self.key.as_str() {
                 "viewer.second" => second(),
+                "viewer.show" | "viewer.second-show" => shown(),
                 _ => refused.map(|refused| refused.to_string()),
             };
         }

@@ -1,7 +1,7 @@
 //! A session: the document, what was before it, and what is seen of it.
 
 use glam::DVec3;
-use relief_scene::SceneSpec;
+use relief_scene::{SceneSpec, Shown};
 
 use crate::document::{differing, read, values, with, without};
 use crate::panel::Panel;
@@ -16,6 +16,8 @@ pub struct Drag(pub u64);
 struct State {
     spec: SceneSpec,
     start: SceneSpec,
+    /// The name of the scene file that the document came from.
+    name: Option<String>,
 }
 
 /// What was before a change.
@@ -31,6 +33,8 @@ pub struct Taken {
     pub document: SceneSpec,
     /// The document that [`Action::Reset`] then goes back to.
     pub start: SceneSpec,
+    /// The name of the scene file that the document came from; none if it keeps the one before.
+    pub name: Option<String>,
 }
 
 /// A scene as one document that actions change.
@@ -67,8 +71,21 @@ impl Session {
     }
 
     fn begun(spec: SceneSpec) -> Self {
-        let now = State { start: spec.clone(), spec };
+        let now = State { start: spec.clone(), spec, name: None };
         Self { now, undo: Vec::new(), redo: Vec::new(), seen: None, guard: None }
+    }
+
+    /// Names the scene file that the document came from.
+    #[must_use]
+    pub fn with_name(mut self, name: impl Into<String>) -> Self {
+        self.now.name = Some(name.into());
+        self
+    }
+
+    /// Returns the name of the scene file that the document came from, if there is one. Files of a scene come
+    /// and go with [`Self::take`], and undo.
+    pub fn name(&self) -> Option<&str> {
+        self.now.name.as_deref()
     }
 
     /// Returns the document, as a scene to be loaded and drawn.
@@ -102,8 +119,8 @@ impl Session {
         self.guard = Some(Box::new(guard));
     }
 
-    /// Returns the document after a change for files that come in, with the one that [`Action::Reset`] then goes
-    /// back to: a reset should not lose them. Nothing has changed yet; see [`Self::take`].
+    /// Returns the document after a change for files that come in, with the one that [`Action::Reset`] then
+    /// goes back to: a reset should not lose them. Nothing has changed yet; see [`Self::take`].
     ///
     /// # Errors
     ///
@@ -125,13 +142,14 @@ impl Session {
         let document = self.guarded(change(&self.now.spec)?)?;
         // What it began with may not go with them, where the document does.
         let start = change(&self.now.start).unwrap_or_else(|_| document.clone());
-        Ok(Taken { document, start })
+        Ok(Taken { document, start, name: None })
     }
 
-    /// Puts a document with files in place of this one. An undo takes the files out of the document, and out of
-    /// what a reset goes back to; a redo brings them back.
-    pub fn take(&mut self, Taken { document, start }: Taken) -> Changed {
-        self.put(None, State { spec: document, start })
+    /// Puts a document with files in place of this one. An undo takes the files out of the document, and out
+    /// of what a reset goes back to; a redo brings them back.
+    pub fn take(&mut self, Taken { document, start, name }: Taken) -> Changed {
+        let name = name.or_else(|| self.now.name.clone());
+        self.put(None, State { spec: document, start, name })
     }
 
     /// Returns the controls of the document.
@@ -143,8 +161,8 @@ impl Session {
     ///
     /// # Errors
     ///
-    /// When the document would not be a scene any more, or the action has nothing to work on. Then nothing has
-    /// changed.
+    /// When the document would not be a scene any more, or the action has nothing to work on. Then nothing
+    /// has changed.
     pub fn apply(&mut self, action: &Action) -> Result<Changed, Refused> {
         self.apply_in(None, action)
     }
@@ -174,7 +192,7 @@ impl Session {
         }
         let Some(new) = self.changed(action)? else { return Ok(Changed::default()) };
         let spec = self.guarded(new)?;
-        Ok(self.put(drag, State { spec, start: self.now.start.clone() }))
+        Ok(self.put(drag, State { spec, ..self.now.clone() }))
     }
 
     fn guarded(&self, new: SceneSpec) -> Result<SceneSpec, Refused> {
@@ -201,7 +219,7 @@ impl Session {
 
     /// The document after an action; none if it stays.
     fn changed(&self, action: &Action) -> Result<Option<SceneSpec>, Refused> {
-        let State { spec, start } = &self.now;
+        let State { spec, start, .. } = &self.now;
         match action {
             Action::Set { key, value } => with(spec, key, value).map(Some),
             Action::Lose { key } => without(spec, key),
@@ -270,6 +288,14 @@ impl Session {
                 let seen = self.seen()?;
                 let [eye, target] = seen.looked_at(*point)?;
                 self.looking(eye, target)
+            }
+            Action::KeepSecond => {
+                let second = spec.views().into_iter().nth(1);
+                let none = || Refused::Value("there is no second view to keep".to_owned());
+                let (shown, mut new) = second.ok_or_else(none)?;
+                new.viewer.show = Some(shown).filter(|shown| *shown != Shown::default());
+                (new.viewer.second, new.viewer.second_show) = (None, None);
+                crate::document::checked(new).map(Some)
             }
             Action::TurnLight { degrees } => {
                 let toward = self.light()?.lit_from(*degrees)?;

@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 use relief_core::rng::Rng;
-use relief_scene::{Form, Key, keys, viewer_keys};
+use relief_scene::{Form, Key, SceneSpec, keys, viewer_keys};
 use relief_shaders::{METHODS, STAGES};
 
-use crate::{Action, Control, Drag, Extent, Kind, Panel, Refused, Seen, Session};
+use crate::{Action, Control, Drag, Extent, Kind, Panel, Refused, Seen, Session, Taken};
 
 const START: &str = "height = \"wall.png\"\neye = [0, 1, 3]\ntarget = [0, 0, 0]\nlight = [1, 2, 0]\n";
 
@@ -74,6 +74,7 @@ fn action(rng: &mut Rng, controls: &[Control]) -> Action {
         21 => Action::set("surfaces", "1"),
         22 => Action::set("scal", "1"),
         23 => Action::LookAt { point: [by[0], by[1], degrees[0]].map(|x| 0.01 * x) },
+        24 => Action::KeepSecond,
         _ => Action::set(control.key.clone(), value(rng, control)),
     }
 }
@@ -404,4 +405,40 @@ fn search_and_refinement_come_and_go_as_a_pair() {
         assert_eq!(session.apply(&Action::lose(key)).expect("a loss").keys, ["refine", "search"]);
         assert!(session.text() == before);
     }
+}
+
+#[test]
+fn what_the_second_view_shows_is_kept_and_the_view_closed() {
+    let mut session = session("method = \"relief\"\nset.search.steps = 3\nviewer.divider = 0.25\n");
+    assert!(session.apply(&Action::KeepSecond).is_err_and(|refused| refused.to_string().contains("second")));
+    for (key, value) in [("viewer.second", "cone"), ("viewer.second-show", "steps")] {
+        session.apply(&Action::set(key, value)).expect("a value");
+    }
+    let before = session.text();
+    session.apply(&Action::KeepSecond).expect("two views");
+    assert_eq!(session.value("method").as_deref(), Some("\"cone\""));
+    assert_eq!(session.value("viewer.show").as_deref(), Some("\"steps\""));
+    for gone in ["viewer.second", "viewer.second-show", "set.search.steps"] {
+        assert_eq!(session.value(gone), None, "{gone}");
+    }
+    assert_eq!(session.value("viewer.divider").as_deref(), Some("0.25"));
+    session.apply(&Action::Undo).expect("one step");
+    assert_eq!(session.text(), before);
+}
+
+#[test]
+fn the_name_of_a_scene_comes_and_goes_with_its_files() {
+    let mut session = session("").with_name("first.toml");
+    let taken = session.with_files(&|spec| spec.clone()).expect("a document");
+    let document = SceneSpec { eye: Some([1.0; 3]), ..taken.document.clone() };
+    let other = Taken { document, name: Some("second.toml".to_owned()), ..taken };
+    session.take(other);
+    assert_eq!(session.name(), Some("second.toml"));
+    session.apply(&Action::set("samples", "4")).expect("a value");
+    assert_eq!(session.name(), Some("second.toml"));
+    session.apply(&Action::Undo).expect("undone");
+    session.apply(&Action::Undo).expect("undone");
+    assert_eq!(session.name(), Some("first.toml"));
+    session.apply(&Action::Redo).expect("done again");
+    assert_eq!(session.name(), Some("second.toml"));
 }

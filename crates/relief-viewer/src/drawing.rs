@@ -1,5 +1,5 @@
-//! Pictures for the page: one view, or two of the same scene by two methods. A drawing keeps what its scenes share:
-//! files that were read, baked maps, and what the renderers have built.
+//! Pictures for the page: one view, or two of the same scene by two methods. A drawing keeps what its scenes
+//! share: files that were read, baked maps, and what the renderers have built.
 
 use std::collections::BTreeSet;
 
@@ -50,7 +50,8 @@ type Made = Result<(Painted, RenderInfo), String>;
 /// Says what is worth a note about the files of a scene.
 pub type Notes = fn(&SceneSpec, &Scene) -> Vec<String>;
 
-/// Draws scenes, and keeps what they share: files that were read, baked maps, and what the renderers have built.
+/// Draws scenes, and keeps what they share: files that were read, baked maps, and what the renderers have
+/// built.
 #[derive(Debug)]
 pub struct Drawing {
     files: Files,
@@ -135,14 +136,17 @@ impl Drawing {
         let (size, samples) = first.map_or(([0; 2], 0), |scene| (scene.size(), scene.samples()));
         if !asked.is_quick {
             let painted = made.into_iter().map(|made| made.ok().map(|(painted, _)| painted));
-            self.looked = Some(Looked::new(scenes.into_iter().map(Result::ok).zip(painted), exact));
+            let quantities = views.iter().map(|view| view.quantity);
+            let each = scenes.into_iter().map(Result::ok).zip(painted).zip(quantities);
+            self.looked =
+                Some(Looked::new(each.map(|((scene, painted), of)| Some((scene?, painted?, of))), exact));
         }
         let seconds = started.elapsed().as_secs_f64();
         Ok(Drawn { size, samples, notes, seconds, seen, views: shown })
     }
 
-    /// Loads a scene within the memory that may be taken. The first view, if it is of the same scene, then reads no
-    /// file again.
+    /// Loads a scene within the memory that may be taken. The first view, if it is of the same scene, then
+    /// reads no file again.
     ///
     /// # Errors
     ///
@@ -214,12 +218,12 @@ impl Drawing {
     ) -> Result<(Painted, RenderInfo), NotDrawn> {
         let Self { maps, panes, .. } = self;
         let Some(quantity) = view.quantity else { return panes[number].picture(scene, maps, watch) };
+        if let Some(why) = view.spec.why_not_shown(view.shown) {
+            return Err(NotDrawn::NotShown(why));
+        }
         quantity.check(scene)?;
         let judge: Option<&dyn Judge> = match exact.filter(|_| view.is_compared()) {
-            Some(Ok(exact)) => {
-                exact.check(quantity)?;
-                Some(exact.judge())
-            }
+            Some(Ok(exact)) => Some(exact.judge()),
             Some(Err(said)) => return Err(NotDrawn::NoView(said.clone())),
             None => None,
         };
@@ -256,8 +260,10 @@ struct OfView {
 }
 
 impl OfView {
+    /// Whether it is compared with the exact picture.
     fn is_compared(&self) -> bool {
-        self.quantity.is_some_and(|quantity| quantity.value.is_comparison())
+        let is_comparison = self.quantity.is_some_and(|quantity| quantity.value.is_comparison());
+        is_comparison && self.spec.why_not_shown(self.shown).is_none()
     }
 }
 
@@ -287,12 +293,14 @@ impl View {
             let said = made.as_ref().err().map_or("", String::as_str);
             return Self { about: json!({ "show": show, "failed": said }), pixels: Vec::new() };
         };
-        let selection = scene.surfaces().first().map(|surface| surface.selection().method_name());
+        let mut methods: Vec<String> =
+            scene.surfaces().iter().map(|surface| surface.selection().method_name()).collect();
+        methods.dedup();
         let legend = view.quantity.zip(scale).map(|(quantity, scale)| colors::legend(quantity, scale));
         let compared = view.quantity.filter(|_| view.is_compared()).zip(exact);
         let errors = compared.and_then(|(quantity, exact)| colors::errors(quantity, exact, painted, scene));
         let about = json!({
-            "show": show, "method": selection, "backend": info.backend, "device": info.device,
+            "show": show, "method": methods.join(", "), "backend": info.backend, "device": info.device,
             "failed": null, "legend": legend, "errors": errors,
         });
         Self { about, pixels: colors::bytes(painted, scale, scene.size()) }
@@ -300,17 +308,23 @@ impl View {
 }
 
 impl Drawn {
-    /// Returns what a page shows of the views, as JSON.
-    pub fn about(&self, revision: u64) -> Value {
-        let views: Vec<&Value> = self.views.iter().map(|view| &view.about).collect();
+    /// Returns what a page shows of the views, as JSON. `said` makes its texts fit for the page: notes, and
+    /// why a view is not there.
+    pub fn about(&self, revision: u64, said: impl Fn(&str) -> String) -> Value {
+        let view = |view: &View| {
+            let mut about = view.about.clone();
+            about["failed"] = about["failed"].as_str().map_or(Value::Null, |failed| json!(said(failed)));
+            about
+        };
         json!({
             "revision": revision, "size": self.size, "samples": self.samples, "seconds": self.seconds,
-            "notes": self.notes, "views": views,
+            "notes": self.notes.iter().map(|note| said(note)).collect::<Vec<_>>(),
+            "views": self.views.iter().map(view).collect::<Vec<_>>(),
         })
     }
 
-    /// Returns red, green, blue and 255 of all pixels, row by row from the top: of all views that could be drawn,
-    /// one after the other.
+    /// Returns red, green, blue and 255 of all pixels, row by row from the top: of all views that could be
+    /// drawn, one after the other.
     pub fn into_pixels(self) -> Vec<u8> {
         let mut views = self.views.into_iter().map(|view| view.pixels);
         let mut all = views.next().unwrap_or_default();

@@ -7,8 +7,6 @@ use relief_maps::Maps;
 use relief_render::false_color::{Judge, Quantity, ValueOf};
 use relief_scene::Scene;
 
-use crate::NotDrawn;
-
 /// What views are compared with.
 #[derive(Debug)]
 pub enum Exact {
@@ -52,14 +50,6 @@ impl Exact {
         match self {
             Exact::Hits(_) => None,
             Exact::Picture(picture) => Some(picture.image()),
-        }
-    }
-
-    /// Checks that a picture can be compared.
-    pub fn check(&self, quantity: &Quantity) -> Result<(), NotDrawn> {
-        match (quantity.value, self.hits()) {
-            (ValueOf::OfHit, None) => Err(NotDrawn::NoHits),
-            _ => Ok(()),
         }
     }
 }

@@ -1,11 +1,14 @@
-//! Files that a user gives: their places, their kinds, and what they change in a scene.
+//! Files that a user gives: their places, and their names.
 
 use std::collections::BTreeMap;
+use std::io;
 use std::path::{Component, Path, PathBuf};
 
-use relief_io::{Files, Format, MeshFormat, find_textures};
-use relief_scene::{MeshChoice, SceneSpec, SurfaceSpec, read_scene};
-use relief_session::{Changed, Session};
+use relief_io::{Files, TextureSetError};
+use relief_scene::{SceneError, SceneSpec};
+use relief_session::Refused;
+
+use crate::coming::Coming;
 
 /// Most files that are given at once.
 const MAX_FILES: usize = 1000;
@@ -16,24 +19,38 @@ const MAX_PARTS: usize = 16;
 /// Longest part of a path, in bytes.
 const MAX_PART_BYTES: usize = 249;
 
-/// Bytes at the start of a file that decide its kind: an object's first tables.
-const START_BYTES: u64 = 1 << 16;
-
-/// Name of a depth object's description.
-const OBJECT: &str = "object.toml";
+/// A height map of 4 times 4 texels.
+const STAND_IN: &[u8] = b"P5 4 4 255 0123456789abcdef";
 
 /// Files that were given, each group in a folder of its own.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Given {
     root: PathBuf,
     most_bytes: u64,
     groups: BTreeMap<u64, Group>,
 }
 
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 struct Group {
     files: Vec<PathBuf>,
     bytes: u64,
+}
+
+/// Reason why given files are not taken into a scene.
+#[derive(Debug, thiserror::Error)]
+pub enum GivenError {
+    /// A scene cannot be read, or cannot be loaded with the files.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// The document refuses them.
+    #[error(transparent)]
+    Refused(#[from] Refused),
+    /// A folder has several sets of textures.
+    #[error(transparent)]
+    Textures(#[from] TextureSetError),
+    /// They are too many or too large, or it is not clear what they are.
+    #[error("{0}")]
+    Files(String),
 }
 
 impl Given {
@@ -47,6 +64,11 @@ impl Given {
         &self.root
     }
 
+    /// Returns the folder of a group.
+    pub fn folder(&self, number: u64) -> PathBuf {
+        self.root.join(number.to_string())
+    }
+
     /// Adds a file to a group, and returns the path where the caller keeps it. `path` is the file's path in
     /// what was dropped.
     ///
@@ -55,6 +77,7 @@ impl Given {
     /// When the path leaves its folder, or the group has too many files or bytes.
     pub fn place(&mut self, number: u64, path: &str, length: u64) -> Result<PathBuf, String> {
         let inside = inside(path).ok_or_else(|| format!("'{path}' is no path of a dropped file"))?;
+        let place = self.folder(number).join(inside);
         let group = self.groups.entry(number).or_default();
         if group.files.len() >= MAX_FILES {
             return Err(format!("more than {MAX_FILES} files come at once: drop fewer"));
@@ -64,39 +87,64 @@ impl Given {
             return Err(format!("{path}: the files are larger than {most} together: drop fewer"));
         }
         group.bytes += length;
-        let place = self.root.join(number.to_string()).join(inside);
         if !group.files.contains(&place) {
             group.files.push(place.clone());
         }
         Ok(place)
     }
 
-    /// Puts the files of a group into the scene; under a key, if one is named.
+    /// Returns what the files of a group change in a scene; under a key, if one is named. The group is then
+    /// forgotten.
     ///
     /// # Errors
     ///
-    /// When the group has no file, its files are unclear or cannot be shown, or the scene refuses them.
-    pub fn take(
-        &mut self,
-        number: u64,
-        key: Option<&str>,
-        files: &Files,
-        session: &mut Session,
-    ) -> Result<Changed, String> {
-        let group = self.groups.remove(&number).ok_or("no file has come")?;
+    /// When the group has no file, or it is not clear what its files are.
+    pub fn coming(&mut self, number: u64, key: Option<&str>, files: &Files) -> Result<Coming, GivenError> {
+        let none = || GivenError::Files("no file has come".to_owned());
+        let group = self.groups.remove(&number).ok_or_else(none)?;
         let given: Vec<PathBuf> = group.files.into_iter().filter(|file| is_meant(file)).collect();
-        if let Some(key) = key {
-            let [file] = &given[..] else { return Err(format!("{key}: it takes one file")) };
-            let path = toml::Value::String(file.display().to_string()).to_string();
-            let taken = session.with_file(key, &path).map_err(|refused| refused.to_string())?;
-            return Ok(session.take(taken));
+        match (key, &given[..]) {
+            (None, _) => Coming::of_files(self.folder(number), &given, files),
+            (Some(key), [file]) => Ok(Coming::of_key(self.folder(number), key, file)),
+            (Some(key), _) => Err(GivenError::Files(format!("{key}: it takes one file"))),
         }
-        let change = change(&given, files)?;
-        if !matches!(change, Change::Scene(_)) && !session.spec().surfaces.is_empty() {
-            return Err("the scene has several surfaces: drop the file onto a control of one".to_owned());
+    }
+
+    /// Adds a small height map for scenes that have none yet, see [`Coming::tried`]. Returns its path.
+    ///
+    /// # Errors
+    ///
+    /// When it cannot be kept.
+    pub fn stand_in(&self, files: &mut Files) -> io::Result<PathBuf> {
+        let path = self.root.join("stand-in.pgm");
+        match files {
+            Files::Disk => std::fs::write(&path, STAND_IN)?,
+            Files::Memory(files) => files.insert(&path, STAND_IN).map_err(io::Error::other)?,
         }
-        let taken = session.with_files(&|spec| change.of(spec)).map_err(|refused| refused.to_string())?;
-        Ok(session.take(taken))
+        Ok(path)
+    }
+
+    /// Returns the files of a group that has come.
+    pub(crate) fn files_of(&self, number: u64) -> &[PathBuf] {
+        self.groups.get(&number).map_or(&[], |group| &group.files)
+    }
+
+    /// Returns the path of a given file below what was dropped; none of other files.
+    fn below<'a>(&self, file: &'a Path) -> Option<&'a Path> {
+        let mut parts = file.strip_prefix(&self.root).ok()?.components();
+        // The number of a group.
+        parts.next();
+        Some(parts.as_path())
+    }
+
+    /// Returns the value of a key as a file of the scene, if `value` is the name by which the user knows one.
+    pub fn meant(&self, value: &str, spec: &SceneSpec) -> Option<String> {
+        let name = match value.parse::<toml::Value>() {
+            Ok(toml::Value::String(name)) => name,
+            _ => value.to_owned(),
+        };
+        let file = spec.files().find(|file| self.below(file) == Some(Path::new(&name)))?;
+        Some(toml::Value::String(file.display().to_string()).to_string())
     }
 
     /// Returns a text in which the files have the names that the user knows.
@@ -110,10 +158,27 @@ impl Given {
         }
         named
     }
+
+    /// Returns the text of the scene's file. Given files have the names that the user knows: they belong
+    /// beside the scene's file. Other files have the path that `other` returns.
+    pub fn scene_text(&self, spec: &SceneSpec, other: impl Fn(&Path) -> PathBuf) -> String {
+        let mut spec = spec.clone();
+        let mut has_given = false;
+        for file in spec.files_mut() {
+            let below = self.below(file).map(Path::to_owned);
+            has_given |= below.is_some();
+            *file = below.unwrap_or_else(|| other(file));
+        }
+        let text = spec.to_toml();
+        match has_given {
+            true => format!("# Files that were dropped lie beside this one.\n\n{text}"),
+            false => text,
+        }
+    }
 }
 
 /// Returns a path if it lies within a folder.
-fn inside(path: &str) -> Option<PathBuf> {
+pub fn inside(path: &str) -> Option<PathBuf> {
     let path = PathBuf::from(path);
     let mut parts = path.components();
     let is_plain = parts.all(|part| matches!(part, Component::Normal(name) if name.len() <= MAX_PART_BYTES));
@@ -124,138 +189,4 @@ fn inside(path: &str) -> Option<PathBuf> {
 fn is_meant(file: &Path) -> bool {
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     !name.starts_with('.') && !["Thumbs.db", "desktop.ini"].contains(&&*name)
-}
-
-/// Kind of a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Kind {
-    Scene,
-    Object,
-    Volume,
-    Mesh,
-    Picture,
-}
-
-impl Kind {
-    /// Returns the kind of a file that can be shown, by its name or its content.
-    fn of(file: &Path, files: &Files) -> Option<Self> {
-        if MeshFormat::by_name(file).is_some() {
-            return Some(Self::Mesh);
-        }
-        let ending = file.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
-        let start = files.source(file).start(START_BYTES).unwrap_or_default();
-        match &*ending {
-            "ktx2" => Some(Self::Volume),
-            _ if Format::by_signature(&start).is_some() || Format::by_name(file).is_some() => {
-                Some(Self::Picture)
-            }
-            "toml" => {
-                let has_views = String::from_utf8_lossy(&start).lines().any(|line| line.trim() == "[[view]]");
-                let is_object = has_views || file.file_name().is_some_and(|name| name == OBJECT);
-                Some(if is_object { Self::Object } else { Self::Scene })
-            }
-            _ => None,
-        }
-    }
-
-    const fn name(self) -> &'static str {
-        match self {
-            Self::Scene => "scene",
-            Self::Object => "object",
-            Self::Volume => "volume",
-            Self::Mesh => "mesh",
-            Self::Picture => "picture",
-        }
-    }
-}
-
-/// What files change in a scene.
-enum Change {
-    Scene(Box<SceneSpec>),
-    /// Keys of the only surface, or of what all have in common.
-    Surface(Box<SurfaceSpec>),
-}
-
-impl Change {
-    fn of_surface(own: SurfaceSpec) -> Self {
-        Self::Surface(Box::new(own))
-    }
-
-    fn of(&self, spec: &SceneSpec) -> SceneSpec {
-        match self {
-            Self::Scene(spec) => SceneSpec::clone(spec),
-            Self::Surface(own) => {
-                let surface = spec.surface.clone().overridden_by(SurfaceSpec::clone(own));
-                SceneSpec { surface, ..spec.clone() }
-            }
-        }
-    }
-}
-
-/// Returns what files change in a scene.
-fn change(given: &[PathBuf], files: &Files) -> Result<Change, String> {
-    let mut kinds: BTreeMap<Option<Kind>, Vec<&PathBuf>> = BTreeMap::new();
-    for file in given {
-        kinds.entry(Kind::of(file, files)).or_default().push(file);
-    }
-    let of = |kind: Kind| kinds.get(&Some(kind)).map_or(&[][..], Vec::as_slice);
-    let one = |kind: Kind| match of(kind) {
-        [] => Ok(None),
-        [file] => Ok(Some(PathBuf::clone(file))),
-        several => Err(format!("{} files are each a {}: drop one of them", several.len(), kind.name())),
-    };
-    if let Some(scene) = one(Kind::Scene)? {
-        let spec = read_scene(files.source(&scene)).map_err(|error| error.to_string())?;
-        return Ok(Change::Scene(Box::new(spec)));
-    }
-    if let object @ Some(_) = one(Kind::Object)? {
-        return Ok(Change::of_surface(SurfaceSpec { object, ..SurfaceSpec::default() }));
-    }
-    let (volume, mesh) = (one(Kind::Volume)?, one(Kind::Mesh)?);
-    let pictures = match &mesh {
-        // A glTF names its own pictures.
-        Some(mesh) if is_gltf(mesh) && given.len() > 1 => &[],
-        _ => of(Kind::Picture),
-    };
-    if volume.is_none() && mesh.is_none() && pictures.is_empty() {
-        return Err(match kinds.get(&None).and_then(|others| others.first()?.file_name()) {
-            Some(name) => {
-                format!(
-                    "{}: it is no picture, mesh, volume or scene that can be read",
-                    name.to_string_lossy()
-                )
-            }
-            None => "there is no file in it".to_owned(),
-        });
-    }
-    let mut own = SurfaceSpec { volume, mesh: mesh.map(MeshChoice::File), ..SurfaceSpec::default() };
-    match pictures {
-        [] => {}
-        [picture] => take_picture(&mut own, picture, files),
-        several => own.textures = Some(common_folder(several)),
-    }
-    Ok(Change::of_surface(own))
-}
-
-/// Puts a picture where its name says, otherwise in place of the heights.
-fn take_picture(own: &mut SurfaceSpec, picture: &Path, files: &Files) {
-    let role = picture.parent().and_then(|folder| {
-        let set = find_textures(files.source(folder), None).ok()?;
-        Some(set.textures.into_iter().find(|texture| texture.path == picture)?.role)
-    });
-    match role.and_then(|role| own.map_of(role)) {
-        Some(place) => *place = Some(picture.to_owned()),
-        None => own.height = Some(picture.to_owned()),
-    }
-}
-
-fn is_gltf(mesh: &Path) -> bool {
-    mesh.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("gltf"))
-}
-
-/// Returns the folder in which all of these lie.
-fn common_folder(files: &[&PathBuf]) -> PathBuf {
-    let mut folder = files[0].parent().unwrap_or(Path::new("")).to_owned();
-    while !files.iter().all(|file| file.starts_with(&folder)) && folder.pop() {}
-    folder
 }

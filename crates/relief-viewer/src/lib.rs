@@ -2,7 +2,8 @@
 //!
 //! * [`Viewer`] answers messages: its state, actions, pictures, dropped files, and files to save.
 //! * [`Drawing`] draws one scene after the other, in one view or two, and keeps what they share.
-//! * [`Given`] takes files that a user drops, and says what they change in a scene.
+//! * [`Document`] is the session with the number of its changes, as messages.
+//! * [`Given`] holds files that a user drops, and [`Coming`] says what they change in a scene.
 //!
 //! ```
 //! use relief_core::Watch;
@@ -15,26 +16,36 @@
 //! let mut viewer = Viewer::open(files, "scene.toml".as_ref())?;
 //! let picture = viewer.picture(Asked::whole([8, 6]), &Watch::none())?;
 //! assert_eq!(picture.into_pixels().len(), 8 * 6 * 4);
-//! assert!(viewer.save("picture.png", &Watch::none())?.starts_with(b"\x89PNG"));
+//! assert!(viewer.save("picture.png", 0, &Watch::none())?.starts_with(b"\x89PNG"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 mod asked;
 mod colors;
+mod coming;
+mod document;
 mod drawing;
 mod exact;
 mod given;
+mod kind;
+mod labels;
+mod linked;
 mod not_drawn;
 mod pane;
 mod pixel;
 mod saved;
+mod scene_files;
 #[cfg(test)]
 mod tests;
+mod tried;
 mod viewer;
 
 pub use asked::Asked;
+pub use coming::Coming;
+pub use document::{Document, Sent};
 pub use drawing::{Drawing, Drawn, Notes, shown};
-pub use given::Given;
+pub use given::{Given, GivenError};
+pub use labels::{said_of_scene, with_labels};
 pub use not_drawn::NotDrawn;
-pub use saved::{SaveError, Saved, scene_text};
-pub use viewer::{OpenError, Sent, Viewer};
+pub use saved::{SaveError, Saved, of_view};
+pub use viewer::{OpenError, Viewer};

@@ -27,11 +27,12 @@ pub enum NotDrawn {
     /// The scene has no such numbers.
     #[error(transparent)]
     Quantity(#[from] NotOfObjects),
-    /// The exact hit of each surface is not known.
-    #[error(
-        "surfaces of a scene hide each other, so the exact hit of each is not known: show color-error or flip"
-    )]
-    NoHits,
+    /// The scene has no such numbers, as its values tell.
+    #[error("{0}")]
+    NotShown(&'static str),
+    /// A link needs files that have not come yet.
+    #[error("the link needs {0}: drop it here, or what it lies in")]
+    Wanted(String),
     /// No view could be drawn; says why the first one could not.
     #[error("{0}")]
     NoView(String),

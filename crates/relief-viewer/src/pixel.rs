@@ -2,6 +2,7 @@
 
 use relief_core::Watch;
 use relief_maps::Maps;
+use relief_render::false_color::{Content, NOT_COMPARABLE, Quantity};
 use relief_scene::Scene;
 use relief_shaders::cpu::PixelOut;
 use serde_json::{Value, json};
@@ -22,18 +23,27 @@ pub struct Looked {
 struct OfView {
     scene: Scene,
     pixels: Option<Vec<PixelOut>>,
+    /// What the view shows, and the number of each pixel; none of pictures and directions.
+    shown: Option<(&'static Quantity, Vec<f32>)>,
 }
 
 impl Looked {
-    pub fn new(views: impl Iterator<Item = (Option<Scene>, Option<Painted>)>, exact: Option<Exact>) -> Self {
-        let view = |(scene, painted): (Option<Scene>, Option<Painted>)| {
-            let pixels = match painted? {
-                Painted::Quantity(_, pixels) => Some(pixels),
-                Painted::Picture(_) => None,
+    pub fn new(
+        views: impl Iterator<Item = Option<(Scene, Painted, Option<&'static Quantity>)>>,
+        exact: Option<Exact>,
+    ) -> Self {
+        let view = |(scene, painted, quantity)| {
+            let (pixels, content) = match painted {
+                Painted::Quantity(content, pixels) => (Some(pixels), Some(content)),
+                Painted::Picture(_) => (None, None),
             };
-            Some(OfView { scene: scene?, pixels })
+            let numbers = content.and_then(|content| match content {
+                Content::Numbers(numbers) => Some(numbers),
+                Content::Picture(_) | Content::Directions(_) => None,
+            });
+            OfView { scene, pixels, shown: Option::zip(quantity, numbers) }
         };
-        Self { views: views.map(view).collect(), exact }
+        Self { views: views.map(|known| known.map(view)).collect(), exact }
     }
 
     /// What is under a pixel, in each view; none outside of the picture.
@@ -47,7 +57,7 @@ impl Looked {
         let Self { views, exact } = self;
         let mut each = Vec::with_capacity(views.len());
         for (view, pane) in views.iter_mut().zip(panes) {
-            let Some(OfView { scene, pixels }) = view else {
+            let Some(OfView { scene, pixels, shown }) = view else {
                 each.push(Value::Null);
                 continue;
             };
@@ -61,7 +71,14 @@ impl Looked {
             };
             let number = column as usize + row as usize * columns as usize;
             let Some(pixel) = pixels.get(number) else { return Ok(None) };
-            each.push(numbers(pixel, scene, exact.as_ref(), number));
+            let mut all = numbers(pixel, scene, exact.as_ref(), number);
+            if let Some((quantity, value)) = shown.as_ref().and_then(|(of, all)| Some((of, all.get(number)?)))
+            {
+                // A pixel may have no such number.
+                let value = Some(*value).filter(|value| value.is_finite() && *value != NOT_COMPARABLE);
+                all["shown"] = json!({ "name": quantity.name, "unit": quantity.unit, "value": value });
+            }
+            each.push(all);
         }
         Ok(Some(json!({ "at": [column, row], "views": each })))
     }
@@ -81,10 +98,12 @@ fn numbers(pixel: &PixelOut, scene: &Scene, exact: Option<&Exact>, number: usize
             let map = surface.height_map();
             f64::from(*height) * map.scale_m() + map.bias_m()
         });
+    let own = scene.surfaces().get(*surface as usize).filter(|_| scene.surfaces().len() > 1);
+    let method = own.map(|surface| surface.selection().method_name());
     json!({
         "hit": true, "uv": [uv.x, uv.y], "height_m": height_m, "depth_m": depth,
         "position_m": [position.x, position.y, position.z], "normal": [normal.x, normal.y, normal.z],
-        "reads": reads, "steps": steps, "level": level, "surface": surface, "error_texels": error,
-        "exact_uv": exact_uv,
+        "reads": reads, "steps": steps, "level": level, "surface": surface, "method": method,
+        "error_texels": error, "exact_uv": exact_uv,
     })
 }

@@ -1,7 +1,6 @@
 //! Files that a viewer saves. Their bytes are the same that `relief render` writes.
 
 use std::io::{self, Cursor};
-use std::path::Path;
 
 use relief_core::{Cancelled, Watch};
 use relief_io::{
@@ -41,6 +40,9 @@ pub enum SaveError {
     /// No file has this name.
     #[error("'{0}' is nothing that can be saved")]
     Unknown(String),
+    /// There is no such view.
+    #[error("there is no view {0}")]
+    NoView(usize),
     /// The scene has a tone curve, and the file linear light.
     #[error("an EXR holds linear light, without a tone curve: leave tone out")]
     Tone,
@@ -53,9 +55,13 @@ pub enum SaveError {
 }
 
 impl Saved {
-    /// Returns the files that can be saved, as JSON: their names and labels.
+    /// Returns the files that can be saved, as JSON: their names and labels, and whether they are of one
+    /// view.
     pub fn offered() -> Value {
-        ALL.iter().map(|(what, label, _)| json!({ "what": what, "label": label })).collect()
+        let each = ALL.iter().map(|(what, label, saved)| {
+            json!({ "what": what, "label": label, "of_surface": false, "of_view": *saved != Saved::Scene })
+        });
+        each.collect()
     }
 
     /// Returns the file with this name.
@@ -172,21 +178,12 @@ type Sink<'a> = dyn FnMut(u32, &[PixelOut]) -> io::Result<()> + 'a;
 /// Function that renders into a receiver.
 type Render<'a> = dyn FnMut(&mut Sink<'_>) -> io::Result<()> + 'a;
 
-/// Returns the text of the scene's file. Files of the folder `given` have the names that the user knows: they
-/// belong beside the scene's file.
-pub fn scene_text(spec: &SceneSpec, given: &Path) -> String {
-    let mut spec = spec.clone();
-    let mut has_given = false;
-    for file in spec.files_mut() {
-        // A group has a folder with its number.
-        if let Ok(inside) = file.strip_prefix(given) {
-            *file = inside.iter().skip(1).collect();
-            has_given = true;
-        }
-    }
-    let text = spec.to_toml();
-    match has_given {
-        true => format!("# Files that were dropped lie beside this one.\n\n{text}"),
-        false => text,
-    }
+/// Returns the scene of one of the views, from 0 on.
+///
+/// # Errors
+///
+/// When there is no such view.
+pub fn of_view(spec: &SceneSpec, view: usize) -> Result<SceneSpec, SaveError> {
+    let found = spec.views().into_iter().nth(view);
+    found.map(|(_, spec)| spec).ok_or(SaveError::NoView(view))
 }

@@ -1,16 +1,18 @@
 //! A session, its files and its pictures behind messages in JSON.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use relief_core::{ByteSize, Watch};
 use relief_io::{Files, MemoryFiles};
 use relief_maps::Maps;
-use relief_scene::{SceneError, read_scene};
-use relief_session::{Action, Changed, Drag, Session};
-use serde::Deserialize;
-use serde_json::{Value, json};
+use relief_scene::{SceneError, SceneSpec, read_scene};
+use relief_session::{Changed, Session, Taken};
+use serde_json::Value;
 
-use crate::{Asked, Drawing, Drawn, Given, NotDrawn, Saved, scene_text, shown};
+use crate::labels::{said_of_scene, with_labels};
+use crate::linked::{Wanted, link_to, put, read_link};
+use crate::saved::of_view;
+use crate::{Asked, Document, Drawing, Drawn, Given, GivenError, NotDrawn, SaveError, Saved, Sent};
 
 /// Folder of the files that are given, in memory.
 const GIVEN: &str = "given";
@@ -19,39 +21,15 @@ const GIVEN: &str = "given";
 /// can have.
 const MOST_MEMORY: ByteSize = ByteSize(2 << 30);
 
-/// The size of a pane before the first picture.
-const PANE: [u32; 2] = [800, 600];
-
 /// A viewer whose files are in memory.
 pub struct Viewer {
-    session: Session,
-    /// Number of changes.
-    revision: u64,
-    /// The size of the last picture's pane.
-    pane: [u32; 2],
+    document: Document,
     drawing: Drawing,
     given: Given,
-}
-
-/// An action with the number of the drag that it belongs to.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Sent {
-    /// The action.
-    pub action: Action,
-    /// Number of the drag. Actions of one drag are undone together.
-    pub drag: Option<u64>,
-}
-
-impl Sent {
-    /// Reads an action in JSON: `action` and `drag`.
-    ///
-    /// # Errors
-    ///
-    /// When the text is another one.
-    pub fn of_json(text: &str) -> Result<Self, serde_json::Error> {
-        serde_json::from_str(text)
-    }
+    /// Whether the scene that it began with is a sample.
+    is_sample: bool,
+    /// Files that a link names and that have not come yet.
+    wanted: Vec<Wanted>,
 }
 
 /// Reason why a scene cannot be viewed.
@@ -75,16 +53,19 @@ impl Viewer {
         let files = Files::Memory(files);
         let session = Session::of(read_scene(files.source(scene))?)?;
         let drawing = Drawing::new(files, Maps::in_memory(), MOST_MEMORY);
-        Ok(Self { session, revision: 0, pane: PANE, drawing, given: Given::new(GIVEN, MOST_MEMORY.0) })
+        let given = Given::new(GIVEN, MOST_MEMORY.0);
+        Ok(Self { document: Document::new(session), drawing, given, is_sample: false, wanted: Vec::new() })
+    }
+
+    /// Says that the scene is a sample: the first heights that are given take the places of all its maps.
+    #[must_use]
+    pub fn with_sample(self) -> Self {
+        Self { is_sample: true, ..self }
     }
 
     /// Returns what a page shows besides the picture, as JSON.
     pub fn state(&self) -> Value {
-        let name = self.session.spec().files().next().and_then(|file| file.file_name());
-        json!({
-            "revision": self.revision, "undo": self.session.can_undo(), "panel": self.session.panel(),
-            "saves": Saved::offered(), "name": name.map(|name| name.to_string_lossy()),
-        })
+        self.document.state(&self.given, &Saved::offered())
     }
 
     /// Applies an action, and returns what changed, as JSON.
@@ -93,9 +74,9 @@ impl Viewer {
     ///
     /// When the action is refused; nothing is changed then.
     pub fn apply(&mut self, sent: &Sent) -> Result<Value, String> {
-        let changed = self.session.apply_in(sent.drag.map(Drag), &sent.action);
-        let changed = changed.map_err(|refused| self.given.named(&refused.to_string()))?;
-        Ok(self.changed(&changed))
+        let changed = self.document.apply(sent, &self.given);
+        let changed = changed.map_err(|refused| self.said(&refused.to_string()))?;
+        Ok(self.document.told(&changed))
     }
 
     /// Keeps a file of a group that is being given. `path` is its path in what was dropped.
@@ -111,20 +92,118 @@ impl Viewer {
         }
     }
 
-    /// Puts the files of a group into the scene; under a key, if one is named. Returns what changed, as JSON.
+    /// Puts the files of a group into the scene, if it can be loaded with them; under a key, if one is named.
+    /// Returns what changed, as JSON.
     ///
     /// # Errors
     ///
-    /// See [`Given::take`].
+    /// When it is not clear what the files are, they cannot be used, or the scene refuses them.
     pub fn take(&mut self, group: u64, key: Option<&str>) -> Result<Value, String> {
-        let changed = self.given.take(group, key, self.drawing.files(), &mut self.session);
-        let changed = changed.map_err(|said| self.given.named(&said))?;
-        Ok(self.changed(&changed))
+        let changed = self.taken(group, key).map_err(|error| self.said_of_given(&error))?;
+        Ok(self.document.told(&changed))
     }
 
-    fn changed(&mut self, changed: &Changed) -> Value {
-        self.revision += u64::from(!changed.keys.is_empty());
-        json!({ "revision": self.revision, "changed": changed.keys, "undo": self.session.can_undo() })
+    fn taken(&mut self, group: u64, key: Option<&str>) -> Result<Changed, GivenError> {
+        if let (None, Some(changed)) = (key, self.taken_by_link(group)?) {
+            return Ok(changed);
+        }
+        let Self { document, drawing, given, is_sample, .. } = self;
+        let coming = given.coming(group, key, drawing.files())?;
+        let before = document.session().spec().clone();
+        let has_given = before.files().any(|file| file.starts_with(given.root()));
+        let coming = if *is_sample && !has_given { coming.onto_sample() } else { coming };
+        let stand_in = given.stand_in(drawing.files_mut());
+        let stand_in = stand_in.map_err(|error| GivenError::Files(error.to_string()))?;
+        let taken = coming.with(document.session())?;
+        let taken = coming.tried(taken, &before, document.pane(), drawing, &stand_in)?;
+        Ok(document.take(taken))
+    }
+
+    /// Puts the files of a group where a link wants them, if it wants any of them. Returns which keys have
+    /// files now.
+    fn taken_by_link(&mut self, group: u64) -> Result<Option<Changed>, GivenError> {
+        let Self { document, drawing, given, wanted, .. } = self;
+        let spec = document.session().spec();
+        // The scene may have become another one.
+        wanted.retain(|wanted| spec.files().any(|file| wanted.path.starts_with(file)));
+        let (come, Files::Memory(files)) = (given.files_of(group), drawing.files_mut()) else {
+            return Ok(None);
+        };
+        let found = put(wanted, come, files);
+        if !found.is_empty() {
+            return Ok(Some(document.files_came(&found)));
+        }
+        let name = |path: &Path| path.file_name().map(ToOwned::to_owned);
+        match come.iter().find(|file| wanted.iter().any(|wanted| name(&wanted.path) == name(file))) {
+            Some(other) => Err(GivenError::Files(format!(
+                "{}: the link means a file of this name with another content: drop it onto a control to use it",
+                other.display()
+            ))),
+            None => Ok(None),
+        }
+    }
+
+    /// Returns a link to the scene, as the end of an address behind `#`.
+    ///
+    /// # Errors
+    ///
+    /// When it would be too long, or the scene lacks files.
+    pub fn link(&self) -> Result<String, String> {
+        self.complete().map_err(|error| self.said_of_picture(&error))?;
+        let Files::Memory(files) = self.drawing.files() else {
+            return Err("files are not in memory".to_owned());
+        };
+        let link = link_to(self.document.session().spec(), &self.given, files);
+        link.map_err(|error| self.said(&error.to_string()))
+    }
+
+    /// Goes to the scene of a link, and returns what changed, as JSON. Files that it needs are then waited
+    /// for. As the beginning of the viewer it cannot be undone.
+    ///
+    /// # Errors
+    ///
+    /// When it is no link, or its scene is refused. Nothing is changed then.
+    pub fn open_link(&mut self, text: &str, begins: bool) -> Result<Value, String> {
+        let (spec, wanted) = self.read_link(text)?;
+        let changed = match begins {
+            true => {
+                self.document.begin(Session::of(spec).map_err(|refused| self.said(&refused.to_string()))?)
+            }
+            false => self.document.take(Taken { document: spec.clone(), start: spec, name: None }),
+        };
+        self.wanted = wanted;
+        Ok(self.document.told(&changed))
+    }
+
+    /// Waits for the files of a link whose scene is open already, such as after a restart.
+    ///
+    /// # Errors
+    ///
+    /// When it is no link.
+    pub fn need(&mut self, text: &str) -> Result<(), String> {
+        self.wanted = self.read_link(text)?.1;
+        Ok(())
+    }
+
+    /// The scene of a link, and the files that have not come yet. Those that have come are put where it wants them.
+    fn read_link(&mut self, text: &str) -> Result<(SceneSpec, Vec<Wanted>), String> {
+        let read = read_link(text, &self.given, self.drawing.files());
+        let (spec, mut wanted) = read.map_err(|error| self.said(&error.to_string()))?;
+        if let Files::Memory(files) = self.drawing.files_mut() {
+            let come: Vec<PathBuf> =
+                files.paths().filter(|path| path.starts_with(GIVEN)).map(Path::to_owned).collect();
+            put(&mut wanted, &come, files);
+        }
+        Ok((spec, wanted))
+    }
+
+    /// Checks that all files of a link have come.
+    fn complete(&self) -> Result<(), NotDrawn> {
+        let spec = self.document.session().spec();
+        let is_needed = |wanted: &&Wanted| spec.files().any(|file| wanted.path.starts_with(file));
+        let names: Vec<String> =
+            self.wanted.iter().filter(is_needed).map(|wanted| wanted.path.display().to_string()).collect();
+        if names.is_empty() { Ok(()) } else { Err(NotDrawn::Wanted(names.join(", "))) }
     }
 
     /// Draws the scene as it is.
@@ -133,14 +212,15 @@ impl Viewer {
     ///
     /// See [`Drawing::draw`].
     pub fn picture(&mut self, asked: Asked, watch: &Watch) -> Result<Drawn, NotDrawn> {
-        self.pane = asked.pane;
-        let drawn = self.drawing.draw(self.session.spec(), asked, watch)?;
-        self.session.shown(drawn.seen);
+        self.document.set_pane(asked.pane);
+        self.complete()?;
+        let drawn = self.drawing.draw(self.document.session().spec(), asked, watch)?;
+        self.document.session_mut().shown(drawn.seen);
         Ok(drawn)
     }
 
-    /// Returns what is under a pixel of the views that are shown, as JSON; null while they change, and outside of the
-    /// picture.
+    /// Returns what is under a pixel of the views that are shown, as JSON; null while they change, and
+    /// outside of the picture.
     ///
     /// # Errors
     ///
@@ -151,32 +231,55 @@ impl Viewer {
 
     /// Returns the scene's text, as it is.
     pub fn text(&self) -> String {
-        self.session.text()
+        self.document.session().text()
     }
 
-    /// Returns what a page shows of a picture, as JSON.
+    /// Returns what a page shows of a picture, as JSON. Its texts name controls, and files as the user knows
+    /// them.
     pub fn about(&self, drawn: &Drawn) -> Value {
-        drawn.about(self.revision)
+        drawn.about(self.document.revision(), |text| self.said(text))
     }
 
-    /// Returns the bytes of a file to save: what is shown, in the size in which it is shown.
+    /// Returns the bytes of a file to save: what is shown, in the size in which it is shown. Pictures are of
+    /// one of the views, from 0 on.
     ///
     /// # Errors
     ///
     /// When no file has this name, or the picture cannot be drawn.
-    pub fn save(&mut self, what: &str, watch: &Watch) -> Result<Vec<u8>, String> {
-        let spec = shown(self.session.spec(), self.pane);
+    pub fn save(&mut self, what: &str, view: usize, watch: &Watch) -> Result<Vec<u8>, String> {
+        let spec = self.document.shown();
+        let of_view = || of_view(&spec, view);
         let saved = match Saved::named(what) {
-            Ok(Saved::Scene) => return Ok(scene_text(&spec, self.given.root()).into_bytes()),
-            Ok(Saved::Picture(format)) => self.drawing.picture(&spec, format, watch),
-            Ok(Saved::Aov) => self.drawing.aov(&spec, watch),
+            Ok(Saved::Scene) => return Ok(self.given.scene_text(&spec, Path::to_owned).into_bytes()),
+            Ok(Saved::Picture(format)) => {
+                of_view().and_then(|spec| self.drawing.picture(&spec, format, watch))
+            }
+            Ok(Saved::Aov) => of_view().and_then(|spec| self.drawing.aov(&spec, watch)),
             Err(error) => Err(error),
         };
-        saved.map_err(|error| self.given.named(&error.to_string()))
+        saved.map_err(|error| match error {
+            SaveError::NotDrawn(error) => self.said_of_picture(&error),
+            error => self.said(&error.to_string()),
+        })
     }
 
-    /// Returns a message in which files have the names that the user knows.
-    pub fn named(&self, text: &str) -> String {
-        self.given.named(text)
+    /// Returns why there is no picture, in words for the page.
+    pub fn said_of_picture(&self, error: &NotDrawn) -> String {
+        match error {
+            NotDrawn::Scene(error) => self.given.named(&said_of_scene(error, &error.to_string())),
+            error => self.said(&error.to_string()),
+        }
+    }
+
+    fn said_of_given(&self, error: &GivenError) -> String {
+        match error {
+            GivenError::Scene(error) => self.given.named(&said_of_scene(error, &error.to_string())),
+            error => self.said(&error.to_string()),
+        }
+    }
+
+    /// Returns a text with the labels of controls, and with files as the user knows them.
+    fn said(&self, text: &str) -> String {
+        with_labels(&self.given.named(text))
     }
 }

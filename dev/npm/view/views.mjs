@@ -106,9 +106,106 @@ export async function the_worst_pixel_is_marked_and_read(seat) {
     const before = await seat.scene();
     await seat.click("#centre");
     assert.notEqual(await seat.scene(), before);
-    assert.equal(await seat.page.$eval("#mark", ({ hidden }) => hidden), true, "another picture, another pixel");
+    assert.equal(await text("#reading-at"), "Pixel 80, 60", "what was brought to the middle is read there");
+    assert.equal(await seat.page.$eval("#mark", ({ hidden }) => hidden), false);
+    await seat.page.focus("#divider");
+    await seat.page.keyboard.press("Escape");
+    assert.equal(await seat.page.$eval("#reading", ({ hidden }) => hidden), true);
 }
 the_worst_pixel_is_marked_and_read.scene = ERRORS;
+
+/** The pixel of the reading. */
+async function pixelOf(seat) {
+    const text = await seat.page.$eval("#reading-at", ({ textContent }) => textContent);
+    return text.match(/\d+/g).map(Number);
+}
+
+export async function the_divider_gives_way_to_the_worst_pixel(seat) {
+    for (const [box, far, isShown] of [
+        ["#first", "Home", (x, split) => x < split],
+        ["#second", "End", (x, split) => x > split],
+    ]) {
+        await seat.page.focus("#divider");
+        await seat.page.keyboard.press(far);
+        await seat.rest();
+        await seat.page.$eval(`${box} .worst`, (button) => button.click());
+        await seat.rest();
+        const [x] = await pixelOf(seat);
+        assert.ok(isShown(x, 1.6 * (await divider(seat))), `${box}: ${x} at ${await divider(seat)}`);
+    }
+    const overlaps = await seat.page.evaluate(() => {
+        const mark = document.getElementById("mark").getBoundingClientRect();
+        const boxes = [...document.querySelectorAll(".view-box")].map((box) => box.getBoundingClientRect());
+        const isOver = ({ left, right, top, bottom }) =>
+            left < mark.right && right > mark.left && top < mark.bottom && bottom > mark.top;
+        return boxes.filter(isOver).length;
+    });
+    assert.equal(overlaps, 0, "a box covers the mark");
+}
+the_divider_gives_way_to_the_worst_pixel.scene = ERRORS;
+
+export async function a_click_on_the_worst_pixel_waits_for_the_picture(seat) {
+    await seat.page.evaluate(() => {
+        const select = document.querySelector('[data-choice="viewer.second"]');
+        select.value = "parallax";
+        select.dispatchEvent(new Event("change"));
+    });
+    await seat.page.waitForSelector("#first.old");
+    await seat.page.$eval("#second .worst", (button) => button.click());
+    await seat.rest();
+    assert.equal(await seat.page.$eval("#reading", ({ hidden }) => hidden), false);
+    assert.match(await seat.page.$eval("#reading-table", ({ textContent }) => textContent), /parallax/);
+    assert.equal(await seat.page.$(".old"), null);
+}
+a_click_on_the_worst_pixel_waits_for_the_picture.scene = ERRORS;
+
+export async function each_view_is_saved_and_the_second_is_kept(seat) {
+    const labels = () => seat.page.$$eval("#saves button", (all) => all.map(({ textContent }) => textContent));
+    await seat.page.click("summary:has(+ #saves)");
+    assert.ok((await labels()).includes("Method relief as functions, WGSL"), `${await labels()}`);
+    await seat.page.select("#saved-view", "1");
+    assert.ok((await labels()).includes("Method cone as functions, WGSL"), `${await labels()}`);
+    await seat.page.keyboard.press("Escape");
+    const saved = (view, what) =>
+        seat.page.evaluate(
+            async (query) => {
+                const answer = await fetch(`save?${query}`);
+                return [answer.headers.get("Content-Disposition"), await answer.text()];
+            },
+            `view=${view}&what=${what}`,
+        );
+    const [first, second] = [await saved(0, "relief.wgsl"), await saved(1, "relief.wgsl")];
+    assert.match(first[0], /relief\.wgsl/);
+    assert.match(second[0], /cone\.wgsl/);
+    assert.notEqual(first[1], second[1]);
+    assert.notEqual((await saved(0, "picture.png"))[1], (await saved(1, "picture.png"))[1]);
+    const cone = rendered(seat, "cone");
+    await seat.click("#keep-second");
+    assert.equal(await seat.page.$eval("#second", ({ hidden }) => hidden), true);
+    assert.ok(same(await seat.canvas(), cone, 0, 160), "the kept method is another");
+    await seat.click("[data-do=undo]");
+    assert.equal(await seat.page.$eval("#second", ({ hidden }) => hidden), false);
+}
+each_view_is_saved_and_the_second_is_kept.scene = TWO;
+
+export async function what_several_surfaces_cannot_show_is_grey_and_the_other_view_stays(seat) {
+    await seat.page.select('[data-choice="viewer.second-show"]', "picture");
+    await seat.rest();
+    await seat.click("#add-surface");
+    assert.match(await seat.page.$eval("#first .failed", ({ textContent }) => textContent), /hide each other/);
+    assert.equal(await seat.page.$eval("#empty", ({ hidden }) => hidden), true);
+    const refused = await seat.page.$$eval('[data-choice="viewer.second-show"] option', (all) =>
+        all.filter(({ disabled }) => disabled).map(({ value }) => value),
+    );
+    assert.deepEqual(refused, ["error", "passed"]);
+    await seat.page.select('[data-choice="viewer.show"]', "flip");
+    await seat.rest();
+    await seat.click("#first .worst");
+    const read = await seat.page.$eval("#reading-table", ({ textContent }) => textContent);
+    assert.match(read, /flip[\d.e-]+/);
+    assert.match(read, /surface\d, relief/);
+}
+what_several_surfaces_cannot_show_is_grey_and_the_other_view_stays.scene = ERRORS;
 
 export async function the_pixel_under_the_pointer_is_read(seat) {
     const { x, y, width, height } = await (await seat.page.$("canvas")).boundingBox();

@@ -435,10 +435,9 @@ impl SceneArguments {
         self.method.is_some()
     }
 
-    /// Whether a scene file is named, which may lack some of its files.
-    pub fn names_scene_file(&self) -> bool {
-        let kind = self.scene.as_deref().map(FileKind::of);
-        matches!(kind, Some(Ok(FileKind::Scene)))
+    /// Returns the scene file, if one is named. It may lack some of its files.
+    pub fn scene_file(&self) -> Option<&Path> {
+        self.scene.as_deref().filter(|file| matches!(FileKind::of(file), Ok(FileKind::Scene)))
     }
 
     /// Returns the settings that `--set` gives.

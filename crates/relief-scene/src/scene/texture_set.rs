@@ -126,6 +126,14 @@ impl SurfaceSpec {
     pub fn map_of(&mut self, role: TextureRole) -> Option<&mut Option<PathBuf>> {
         key_of(role).map(|key| key(self))
     }
+
+    /// Removes all maps but the heights: they belong to other heights.
+    pub fn forget_maps(&mut self) {
+        for key in DROPPED.into_iter().filter_map(key_of) {
+            *key(self) = None;
+        }
+        (self.textures, self.green) = (None, None);
+    }
 }
 
 /// Returns the key for textures of a role.

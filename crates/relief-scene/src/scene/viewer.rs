@@ -91,6 +91,14 @@ impl SceneSpec {
         self.clone().overridden_by(SceneSpec::of_surface(over))
     }
 
+    /// Returns why a viewer cannot show something of the scene, as far as its values tell without its files.
+    pub fn why_not_shown(&self, shown: Shown) -> Option<&'static str> {
+        let is_of_hits = matches!(shown, Shown::Error | Shown::Passed);
+        (is_of_hits && self.surfaces.len() > 1).then_some(
+            "surfaces of a scene hide each other, so the exact hit of each is not known: show color-error or flip",
+        )
+    }
+
     /// Returns what each view of a viewer shows, and the scene that it shows it of.
     pub fn views(&self) -> Vec<(Shown, SceneSpec)> {
         let second =
@@ -180,6 +188,17 @@ mod tests {
         assert_eq!(same, [relief(Shown::Picture), relief(Shown::Flip)]);
         let settings = read(&format!("{own}viewer.second = \"cone\"")).expect("a scene").views();
         assert_eq!(settings.iter().map(|(_, spec)| spec.surface.set.len()).collect::<Vec<_>>(), [1, 0]);
+    }
+
+    #[test]
+    fn errors_of_hits_are_not_shown_of_several_surfaces() {
+        let one = read("method = \"relief\"").expect("a scene");
+        let two = read("[[surfaces]]\n[[surfaces]]\n").expect("a scene");
+        for shown in Shown::ALL {
+            let is_of_hits = [Shown::Error, Shown::Passed].contains(&shown);
+            assert_eq!(two.why_not_shown(shown).is_some(), is_of_hits, "{shown}");
+            assert_eq!(one.why_not_shown(shown), None, "{shown}");
+        }
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Requests and answers of the page, read by `httparse`. Each connection has a thread and takes one request:
-//! on this machine a new connection costs less than a picture's first pixel, and none can keep others waiting.
+//! on this machine a new connection costs less than a picture's first pixel, and none can keep others
+//! waiting.
 
 use std::io::{self, Read, Write};
 use std::net::{Shutdown, TcpStream};

@@ -1,7 +1,6 @@
 //! `relief view`: a scene to look at and to change, on a page in a browser, or by a script without one.
 
 mod answer;
-mod coming;
 mod door;
 mod dropped;
 mod given;
@@ -9,10 +8,8 @@ mod http;
 mod page;
 mod said;
 mod saved;
-mod scene_files;
 mod script;
 mod serve;
-mod tried;
 mod viewer;
 
 use std::path::PathBuf;
@@ -41,11 +38,14 @@ use crate::streams::Files;
     { \"do\": \"frame\" },\n    \
     { \"do\": \"orbit\", \"degrees\": [30, 10] },\n    \
     { \"do\": \"picture\", \"file\": \"turned.png\" },\n    { \"do\": \"undo\" }\n  ]\n\n\
-    set gives a key of a scene file a value, and lose takes it away: scale, set.search.steps, surfaces[1].color.\n\
+    set gives a key of a scene file a value, and lose takes it away: scale, set.search.steps, \
+    surfaces[1].color.\n\
     orbit turns the eye, turn-light the light, by degrees to the right and up. pan moves the picture by heights \
     of it to the right and up. zoom has a factor: 2 is twice as large. frame shows all from the present \
-    direction, fit as the view does; look-at brings a point (point, in metres) to the middle. add-surface, remove-surface (number, from 0 on), undo, redo, reset. picture \
-    draws what the scene is then. Actions in a row with the same \"drag\", a whole number, are undone together."
+    direction, fit as the view does; look-at brings a point (point, in metres) to the middle. keep-second takes \
+    the method of the second view and closes it. add-surface, remove-surface (number, from 0 on), undo, redo, \
+    reset. picture draws what the scene is then. Actions in a row with the same \"drag\", a whole number, are \
+    undone together."
 )]
 pub struct Arguments {
     /// Script of actions, in JSON: no page is opened

@@ -1,4 +1,5 @@
-//! Files that the page saves. They are the commands' own: each is written by the command that a user would run.
+//! Files that the page saves. They are the commands' own: each is written by the command that a user would
+//! run.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -6,6 +7,7 @@ use std::process::{Command, Stdio};
 use relief_io::write_atomically;
 use relief_scene::SceneSpec;
 use relief_shaders::{STAGES, Selection};
+use relief_viewer::{Given, of_view};
 use serde_json::{Value, json};
 
 use crate::commands::scene::make_absolute;
@@ -29,6 +31,9 @@ enum By {
     Functions(&'static str),
 }
 
+/// Name of the functions' files, before the ending. They are kept under their method's name.
+const FUNCTIONS: &str = "relief";
+
 /// Everything that can be saved.
 const SAVED: [Saved; 10] = [
     Saved { what: "picture.png", label: "Picture, PNG", by: By::Picture },
@@ -45,34 +50,57 @@ const SAVED: [Saved; 10] = [
 
 /// What the page offers.
 pub fn offered() -> Value {
-    let of_surface = |saved: &Saved| matches!(saved.by, By::Functions(_));
-    SAVED
-        .iter()
-        .map(|saved| json!({ "what": saved.what, "label": saved.label, "of_surface": of_surface(saved) }))
-        .collect()
+    let told = |Saved { what, label, by }: &Saved| {
+        json!({
+            "what": what, "label": label, "of_surface": matches!(by, By::Functions(_)),
+            "of_view": !matches!(by, By::Scene),
+        })
+    };
+    SAVED.iter().map(told).collect()
 }
 
-/// A file's bytes. A method is of one surface.
+/// What a file is made of: a view, from 0 on, and a surface, where one has a method.
+#[derive(Clone, Copy, Default)]
+pub struct Of {
+    pub view: usize,
+    pub surface: usize,
+}
+
+/// A file to be kept: its name and its bytes.
+pub struct Kept {
+    pub name: String,
+    pub bytes: Vec<u8>,
+}
+
+/// Makes a file.
 ///
-/// `dropped` is the folder of the page's files: in a scene file they are named as the user knows them.
-pub fn saved(spec: &SceneSpec, what: &str, surface: usize, dropped: &Path) -> Result<Vec<u8>, String> {
+/// `given` are the page's files: in a scene file they are named as the user knows them.
+pub fn saved(spec: &SceneSpec, what: &str, of: Of, given: &Given) -> Result<Kept, String> {
     let known = SAVED.iter().find(|saved| saved.what == what);
     let known = known.ok_or_else(|| format!("'{what}' is nothing that can be saved"))?;
+    let whole = |file: &Path| std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
+    if let By::Scene = known.by {
+        return Ok(Kept { name: what.to_owned(), bytes: given.scene_text(spec, whole).into_bytes() });
+    }
+    let spec = &of_view(spec, of.view).map_err(|error| error.to_string())?;
     let folder = tempfile::tempdir().map_err(|error| format!("a folder for it cannot be made: {error}"))?;
     let at = |name: &str| folder.path().join(name);
+    let mut name = what.to_owned();
     let mut words: Vec<String> = match known.by {
-        By::Scene => return Ok(scene_text(spec, dropped).into_bytes()),
-        By::Picture => vec!["render".into(), "-o".into(), at(what).display().to_string()],
+        By::Scene | By::Picture => vec!["render".into(), "-o".into(), at(what).display().to_string()],
         By::Aov => {
             let picture = at("picture.png").display().to_string();
             vec!["render".into(), "-o".into(), picture, "--aov".into(), at(what).display().to_string()]
         }
         By::Functions(target) => {
             let selection = spec.selections().map_err(|error| error.to_string())?;
-            let selection = selection.get(surface).ok_or_else(|| format!("there is no surface {surface}"))?;
+            let selection = selection.get(of.surface);
+            let selection = selection.ok_or_else(|| format!("there is no surface {}", of.surface))?;
+            let ending = what.strip_prefix(FUNCTIONS).unwrap_or(what);
+            name = format!("{}{ending}", selection.method_name());
             let mut words = function_words(selection);
             words.extend(["--target", target, "-o"].map(str::to_owned));
-            words.extend([folder.path().display().to_string(), "--name".to_owned(), "relief".to_owned()]);
+            words.extend([folder.path().display().to_string(), "--name".to_owned(), FUNCTIONS.to_owned()]);
             words
         }
     };
@@ -86,7 +114,8 @@ pub fn saved(spec: &SceneSpec, what: &str, surface: usize, dropped: &Path) -> Re
         words.insert(1, scene.display().to_string());
     }
     run(&words)?;
-    std::fs::read(at(what)).map_err(|error| format!("{what}: it cannot be read: {error}"))
+    let bytes = std::fs::read(at(what)).map_err(|error| format!("{what}: it cannot be read: {error}"))?;
+    Ok(Kept { name, bytes })
 }
 
 /// Runs this program.
@@ -120,30 +149,4 @@ fn function_words(selection: &Selection) -> Vec<String> {
         }
     }
     words
-}
-
-/// The scene as a file. Files of the page have their own names, since they do not stay where they are.
-pub fn scene_text(spec: &SceneSpec, dropped: &Path) -> String {
-    let mut spec = spec.clone();
-    let mut has_dropped = false;
-    for file in spec.files_mut() {
-        // A group has a folder with its number.
-        let inside = file.strip_prefix(dropped).map(|inside| inside.iter().skip(1).collect());
-        match inside {
-            Ok(inside) => {
-                *file = inside;
-                has_dropped = true;
-            }
-            Err(_) => {
-                if let Ok(whole) = std::path::absolute(&*file) {
-                    *file = whole;
-                }
-            }
-        }
-    }
-    let text = spec.to_toml();
-    match has_dropped {
-        true => format!("# Files that were dropped lie beside this one.\n\n{text}"),
-        false => text,
-    }
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
+use percent_encoding::percent_decode_str;
 use relief_io::ReadProblem;
 use relief_scene::{SceneError, SceneSpec};
 use relief_session::Session;
@@ -19,6 +20,7 @@ use super::dropped::{Dropped, write};
 use super::given::Given;
 use super::http::Request;
 use super::page;
+use super::saved::{Kept, Of};
 use super::viewer::{Ended, NotSaved, Viewer};
 use crate::commands::scene_arguments::of_scene;
 use crate::failure::Failure;
@@ -43,14 +45,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let dropped = Dropped::new()?;
     let has_files = spec.files().next().is_some();
     let given = Given::of(&spec);
-    given.add(dropped.folder());
+    given.add(dropped.given.root());
     let mut session = Session::of(spec).map_err(Failure::usage)?;
+    if let Some(name) = arguments.scene.scene_file().and_then(|file| file.file_name()) {
+        session = session.with_name(name.to_string_lossy());
+    }
     session.guard(move |spec: &SceneSpec| given.check(spec));
     let (maps, no_cache) = arguments.cache.maps();
     no_cache.iter().for_each(say::note);
     let door = Door::open(arguments.port)?;
     let viewer = Arc::new(Viewer::new(session, maps, dropped)?);
-    if !arguments.scene.names_scene_file() && has_files {
+    if arguments.scene.scene_file().is_none() && has_files {
         let _reading = Progress::spinner("reading", arguments.json);
         viewer.load().or_else(of_start)?;
     }
@@ -184,8 +189,10 @@ fn pixel(query: &Query, viewer: &Viewer) -> Answer {
 fn save(query: &Query, viewer: &Viewer) -> Answer {
     let what = query.text("what").unwrap_or_default();
     let whole = |name| query.text(name).and_then(|number| number.parse::<u64>().ok());
-    match viewer.save(&what, whole("surface").unwrap_or_default() as usize, whole("revision")) {
-        Ok(bytes) => Answer { file: Some(what), ..Answer::bytes(BYTES, bytes) },
+    let number = |name| whole(name).unwrap_or_default() as usize;
+    let of = Of { view: number("view"), surface: number("surface") };
+    match viewer.save(&what, of, whole("revision")) {
+        Ok(Kept { name, bytes }) => Answer { file: Some(name), ..Answer::bytes(BYTES, bytes) },
         Err(NotSaved::Failed(said)) => Answer::error(REFUSED, said),
         Err(NotSaved::Changed) => {
             Answer::error(ENDED, "the scene was changed on another page: it is shown now, so save it again")
@@ -198,7 +205,7 @@ fn file(request: &mut Request, query: &Query, viewer: &Viewer) -> Result<(), Str
     let path = query.text("path").unwrap_or_default();
     let number = query.text("drop").and_then(|number| number.parse().ok()).ok_or("a file needs a number")?;
     let length = request.length.ok_or_else(|| format!("{path}: its length is not said"))?;
-    let place = viewer.dropped().place(number, &path, length)?;
+    let place = viewer.dropped().given.place(number, &path, length)?;
     write(&place, length, request)
 }
 
@@ -229,15 +236,7 @@ impl Query<'_> {
 /// A text of an address, whose signs may be written as `%20`. What is no text becomes a sign that stands for
 /// that.
 fn decoded(text: &str) -> String {
-    let mut bytes = Vec::with_capacity(text.len());
-    let mut rest = text.as_bytes();
-    while let [first, after @ ..] = rest {
-        let digits = after.get(..2).and_then(|digits| std::str::from_utf8(digits).ok());
-        let coded = digits.filter(|_| *first == b'%').and_then(|digits| u8::from_str_radix(digits, 16).ok());
-        bytes.push(coded.unwrap_or(*first));
-        rest = if coded.is_some() { &after[2..] } else { after };
-    }
-    String::from_utf8_lossy(&bytes).into_owned()
+    percent_decode_str(text).decode_utf8_lossy().into_owned()
 }
 
 #[cfg(test)]

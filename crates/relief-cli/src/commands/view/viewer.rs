@@ -9,15 +9,13 @@ use relief_io::Files;
 use relief_maps::Maps;
 use relief_render::RENDERING;
 use relief_scene::{KeyGroup, Scene, SceneError, SceneSpec, keys};
-use relief_session::{Action, Changed, Control, Drag, Panel, Session, Taken};
-use relief_viewer::{Asked, Drawing, NotDrawn, Sent, shown};
+use relief_session::{Changed, Session};
+use relief_viewer::{Asked, Document, Drawing, GivenError, NotDrawn, Sent, with_labels};
 use serde_json::{Value, json};
 
-use super::coming::Coming;
 use super::dropped::Dropped;
 use super::said;
-use super::saved::{offered, saved};
-use super::tried;
+use super::saved::{Kept, Of, offered, saved};
 use crate::commands::maps::{By, of_reading};
 use crate::failure::Failure;
 use crate::lanes;
@@ -32,14 +30,6 @@ pub struct Viewer {
     trials: AtomicUsize,
     /// Ends the picture in hand.
     stop: AtomicBool,
-}
-
-struct Document {
-    session: Session,
-    /// Number of changes.
-    revision: u64,
-    /// The size of the last picture's pane.
-    pane: [u32; 2],
 }
 
 /// Why there is no picture.
@@ -61,16 +51,13 @@ struct Work {
 /// Keys that arrange views, which stay as they are.
 const ARRANGING: [&str; 2] = ["viewer.divider", "viewer.swapped"];
 
-/// The size of a pane that nobody has told yet.
-const PANE: [u32; 2] = [800, 600];
-
 impl Viewer {
     pub fn new(session: Session, maps: Maps, dropped: Dropped) -> Result<Self, Failure> {
         // A scene says itself what it may take.
         let drawing = Drawing::new(Files::Disk, maps, ByteSize(u64::MAX));
         let drawing = drawing.with_lanes(lanes::from_environment()?).with_notes(notes);
         Ok(Self {
-            document: Mutex::new(Document { session, revision: 0, pane: PANE }),
+            document: Mutex::new(Document::new(session)),
             drawing: Mutex::new(drawing),
             dropped: Mutex::new(dropped),
             work: Mutex::default(),
@@ -81,40 +68,15 @@ impl Viewer {
 
     /// What the page shows besides the picture.
     pub fn state(&self) -> Value {
-        let Document { session, revision, .. } = &*locked(&self.document);
-        let file = session.spec().files().next().and_then(|file| file.file_name());
-        let panel = self.panel(session);
-        json!({
-            "revision": revision, "undo": session.can_undo(), "panel": panel, "saves": offered(),
-            "name": file.map(|name| name.to_string_lossy()),
-        })
-    }
-
-    /// The controls. Files have the names that the user knows.
-    fn panel(&self, session: &Session) -> Panel {
-        let mut panel = session.panel();
-        let dropped = locked(&self.dropped);
-        let of_files = |control: &&mut Control| control.is_file;
-        for control in panel.scene.iter_mut().chain(panel.surfaces.iter_mut().flatten()).filter(of_files) {
-            control.value = control.value.take().map(|value| dropped.named(&value));
-        }
-        panel
+        locked(&self.document).state(&locked(&self.dropped).given, &offered())
     }
 
     /// Applies an action; says why if it is refused.
     pub fn apply(&self, sent: &Sent) -> Result<Value, String> {
         let mut document = locked(&self.document);
-        let meant = match &sent.action {
-            Action::Set { key, value } => {
-                let value = locked(&self.dropped).meant(value, document.session.spec());
-                value.map(|value| Action::set(key.clone(), value))
-            }
-            _ => None,
-        };
-        let action = meant.as_ref().unwrap_or(&sent.action);
-        let changed = document.session.apply_in(sent.drag.map(Drag), action);
+        let changed = document.apply(sent, &locked(&self.dropped).given);
         let changed = changed.map_err(|refused| self.said(&refused.to_string()))?;
-        Ok(self.changed(&mut document, &changed))
+        Ok(self.told(&document, &changed))
     }
 
     /// Puts files that came into the scene, if it can be loaded with them.
@@ -126,58 +88,43 @@ impl Viewer {
         self.tell("reading", 0.0, false);
         let taken = self.taken(number, key, &mut drawing);
         self.tell("", 0.0, false);
-        taken.map_err(|said| {
+        taken.map_err(|error| {
             locked(&self.dropped).forget(number);
-            self.said(&said)
+            match error {
+                GivenError::Scene(error) => self.said(&said::of_scene(&error)),
+                error => self.said(&error.to_string()),
+            }
         })
     }
 
-    fn taken(&self, number: u64, key: Option<&str>, drawing: &mut Drawing) -> Result<Value, String> {
-        let coming = locked(&self.dropped).coming(number, key)?;
+    fn taken(&self, number: u64, key: Option<&str>, drawing: &mut Drawing) -> Result<Value, GivenError> {
+        let (coming, stand_in) = {
+            let Dropped { given, .. } = &mut *locked(&self.dropped);
+            let stand_in = given.stand_in(drawing.files_mut());
+            let stand_in = stand_in.map_err(|error| GivenError::Files(error.to_string()))?;
+            (given.coming(number, key, drawing.files())?, stand_in)
+        };
         loop {
-            let (before, taken, revision) = {
-                let Document { session, revision, .. } = &*locked(&self.document);
-                (session.spec().clone(), coming.with(session)?, *revision)
+            let (before, taken, revision, pane) = {
+                let document = &*locked(&self.document);
+                let session = document.session();
+                (session.spec().clone(), coming.with(session)?, document.revision(), document.pane())
             };
-            let taken = self.tried(&before, taken, &coming, drawing)?;
+            let taken = coming.tried(taken, &before, pane, drawing, &stand_in)?;
             let mut document = locked(&self.document);
             // What was changed while files were read is tried with them.
-            if document.revision == revision {
-                let changed = document.session.take(taken);
-                return Ok(self.changed(&mut document, &changed));
+            if document.revision() == revision {
+                let changed = document.take(taken);
+                return Ok(self.told(&document, &changed));
             }
         }
     }
 
-    /// A document with files, if it can be loaded. A reset goes back to it where it could not go back to the one
-    /// before with them.
-    fn tried(
-        &self,
-        before: &SceneSpec,
-        taken: Taken,
-        coming: &Coming,
-        drawing: &mut Drawing,
-    ) -> Result<Taken, String> {
-        let stand_in = locked(&self.dropped).stand_in().map_err(|error| error.to_string())?;
-        let pane = locked(&self.document).pane;
-        let mut check = |before: &SceneSpec, after: &SceneSpec| {
-            tried::check(drawing, &shown(before, pane), &shown(after, pane), &coming.folder, &stand_in)
-        };
-        let is_same = taken.start == taken.document;
-        let starts = is_same || check(before, &taken.start).is_ok();
-        check(before, &taken.document)?;
-        Ok(if starts { taken } else { Taken { start: taken.document.clone(), ..taken } })
-    }
-
-    fn changed(&self, document: &mut Document, changed: &Changed) -> Value {
-        if !changed.keys.is_empty() {
-            document.revision += 1;
-        }
+    fn told(&self, document: &Document, changed: &Changed) -> Value {
         if changed.keys.iter().any(|key| !ARRANGING.contains(&key.as_str())) {
             self.end_what_is_old(changed);
         }
-        let (revision, undo) = (document.revision, document.session.can_undo());
-        json!({ "revision": revision, "changed": changed.keys, "undo": undo })
+        document.told(changed)
     }
 
     /// Ends the picture in hand where the next one is worth more. A quick one is done soon, and what is baked
@@ -192,8 +139,8 @@ impl Viewer {
         }
     }
 
-    /// Draws the scene as it is. The bytes are those that the page reads: the length of a text of JSON in four
-    /// bytes, the text, and the pixels.
+    /// Draws the scene as it is. The bytes are those that the page reads: the length of a text of JSON in
+    /// four bytes, the text, and the pixels.
     pub fn picture(&self, asked: Asked) -> Result<Vec<u8>, Ended> {
         let mut drawing = locked(&self.drawing);
         if self.trials.load(Ordering::Relaxed) > 0 {
@@ -201,8 +148,8 @@ impl Viewer {
         }
         let (spec, revision) = {
             let mut document = locked(&self.document);
-            document.pane = asked.pane;
-            (document.session.spec().clone(), document.revision)
+            document.set_pane(asked.pane);
+            (document.session().spec().clone(), document.revision())
         };
         self.stop.store(false, Ordering::Relaxed);
         self.tell("reading", 0.0, asked.is_quick);
@@ -210,10 +157,8 @@ impl Viewer {
         let drawn = drawing.draw(&spec, asked, &Watch::new(&tell, &self.stop));
         self.tell("", 0.0, false);
         let drawn = drawn.map_err(|error| self.ended(error))?;
-        locked(&self.document).session.shown(drawn.seen);
-        let mut about = drawn.about(revision);
-        self.say_of_picture(&mut about);
-        let about = about.to_string();
+        locked(&self.document).session_mut().shown(drawn.seen);
+        let about = drawn.about(revision, |text| self.said(text)).to_string();
         let mut bytes = Vec::new();
         bytes.extend((about.len() as u32).to_le_bytes());
         bytes.extend(about.as_bytes());
@@ -245,26 +190,24 @@ impl Viewer {
         json!({ "task": task, "part": part })
     }
 
-    /// A file to be saved: what is shown, with the size that it is shown in. Of another revision than the page
-    /// shows, if it names one, nothing is saved.
-    pub fn save(&self, what: &str, surface: usize, revision: Option<u64>) -> Result<Vec<u8>, NotSaved> {
+    /// A file to be saved: what is shown, with the size that it is shown in. Of another revision than the
+    /// page shows, if it names one, nothing is saved.
+    pub fn save(&self, what: &str, of: Of, revision: Option<u64>) -> Result<Kept, NotSaved> {
         let spec = {
-            let Document { session, pane, revision: now } = &*locked(&self.document);
-            if revision.is_some_and(|revision| revision != *now) {
+            let document = &*locked(&self.document);
+            if revision.is_some_and(|revision| revision != document.revision()) {
                 return Err(NotSaved::Changed);
             }
-            shown(session.spec(), *pane)
+            document.shown()
         };
-        let folder = locked(&self.dropped).folder().to_owned();
-        saved(&spec, what, surface, &folder).map_err(|said| NotSaved::Failed(self.said(&said)))
+        let given = locked(&self.dropped).given.clone();
+        let kept = saved(&spec, what, of, &given);
+        kept.map_err(|said| NotSaved::Failed(self.said(&said)))
     }
 
     /// Loads the scene; says why it cannot be loaded.
     pub fn load(&self) -> Result<(), SceneError> {
-        let spec = {
-            let Document { session, pane, .. } = &*locked(&self.document);
-            shown(session.spec(), *pane)
-        };
+        let spec = locked(&self.document).shown();
         locked(&self.drawing).load(&spec).map(drop)
     }
 
@@ -290,17 +233,7 @@ impl Viewer {
 
     /// A message with files as the user knows them, and with the labels of controls.
     fn said(&self, text: &str) -> String {
-        said::with_labels(&locked(&self.dropped).named(text))
-    }
-
-    /// The same of what is said of a picture: its notes, and why a view is not there.
-    fn say_of_picture(&self, about: &mut Value) {
-        let notes = about["notes"].as_array_mut().into_iter().flatten();
-        notes.for_each(|note| *note = json!(self.said(note.as_str().unwrap_or_default())));
-        for view in about["views"].as_array_mut().into_iter().flatten() {
-            let failed = view["failed"].as_str().map(|failed| self.said(failed));
-            view["failed"] = json!(failed);
-        }
+        with_labels(&locked(&self.dropped).given.named(text))
     }
 }
 

@@ -3,23 +3,30 @@
 use std::collections::BTreeSet;
 use std::path::{Component, Path, PathBuf};
 
+use relief_io::Files;
 use relief_scene::{SceneSpec, read_scene};
 
-use super::coming::name_of;
-use super::said;
+use crate::coming::name_of;
+use crate::given::GivenError;
 
 /// Reads a scene. Its files are found where it says, or else by their names.
-pub fn scene_among(scene: &Path, root: &Path, files: &[PathBuf]) -> Result<SceneSpec, String> {
-    let mut spec = read_scene(scene).map_err(|error| said::of_scene(&error))?;
-    let parents = files.iter().flat_map(|file| file.ancestors().skip(1).take_while(|folder| *folder != root));
-    let there: BTreeSet<&Path> = files.iter().map(PathBuf::as_path).chain(parents).collect();
+pub fn scene_among(
+    scene: &Path,
+    root: &Path,
+    given: &[PathBuf],
+    files: &Files,
+) -> Result<SceneSpec, GivenError> {
+    let mut spec = read_scene(files.source(scene))?;
+    let parents = given.iter().flat_map(|file| file.ancestors().skip(1).take_while(|folder| *folder != root));
+    let there: BTreeSet<&Path> = given.iter().map(PathBuf::as_path).chain(parents).collect();
     for file in spec.files_mut() {
         // Whether another path may be read is checked with all that was given.
         if !file.starts_with(root) {
             continue;
         }
-        if plain(file).starts_with(root) && file.exists() {
-            *file = plain(file);
+        let path = plain(file);
+        if path == root || there.contains(&*path) {
+            *file = path;
             continue;
         }
         let (name, folder) = (name_of(file), scene.parent().unwrap_or(root));
@@ -29,11 +36,12 @@ pub fn scene_among(scene: &Path, root: &Path, files: &[PathBuf]) -> Result<Scene
             (Some(found), None) => found.to_path_buf(),
             (None, _) => {
                 let what = format!("{} names {written}, which did not come with it", name_of(scene));
-                return Err(format!("{what}: drop the folder that holds both"));
+                return Err(GivenError::Files(format!("{what}: drop the folder that holds both")));
             }
             (Some(_), Some(_)) => {
                 let what = format!("{} names {written}, and several files are called {name}", name_of(scene));
-                return Err(format!("{what}: drop the folder that holds the scene and its files"));
+                let said = format!("{what}: drop the folder that holds the scene and its files");
+                return Err(GivenError::Files(said));
             }
         };
     }
