@@ -58,13 +58,13 @@ function heights(side) {
 const FILES = { "wall.pgm": heights(40), "maps/colours.png": sample("piebald.png") };
 const SCENE = 'height = "wall.pgm"\ncolor = "maps/colours.png"\nsize = [96, 72]\nbackend = "cpu"\n';
 
-/** A viewer of a scene with this text, in the folder `there`. */
-function opened(text, files = FILES) {
+/** A viewer of a scene with this text, in the folder `there`; `lanes` is the SIMD width, the widest by default. */
+function opened(text, files = FILES, lanes = undefined) {
     const given = new SceneFiles();
     for (const [name, bytes] of Object.entries({ ...files, "scene.toml": Buffer.from(text) })) {
         given.add(`there/${name}`, bytes);
     }
-    return given.open("there/scene.toml");
+    return given.open("there/scene.toml", false, lanes);
 }
 
 /** The file that the command writes of the same scene. */
@@ -99,6 +99,17 @@ const tests = {
         const methods = methodsOfReliefs();
         assert(methods.length > 25, methods.join());
         for (const method of methods) assertSame(`${SCENE}method = "${method}"\n`, "picture.png");
+    },
+
+    lanesGiveTheBitsOfSingleNumbers() {
+        const more = ["", 'mesh = "torus"\n', 'wrap = "clamp"\nsampling = "fast"\n', "tile = [2.5, 1.5]\nsamples = 4\n"];
+        const methods = ["exact", "relief", "cone", "frustum", "occlusion", "interval", "parallax-slope", "distance", "bump"];
+        for (const [number, method] of methods.entries()) {
+            const text = `${SCENE}method = "${method}"\n${more[number % more.length]}`;
+            const [one, four] = ["1", "4"].map((lanes) => Buffer.from(opened(text, FILES, lanes).save("aov.exr")));
+            assert(one.equals(four), `lanes differ for\n${text}`);
+        }
+        assert.throws(() => opened(SCENE, FILES, "8"), /no vectors of 8 lanes/);
     },
 
     everyFileIsTheCommands() {

@@ -40,13 +40,18 @@ impl SceneFiles {
         Ok(self.0.insert(path, bytes)?)
     }
 
-    /// Opens the scene at a path. The first heights that are given take the places of all maps of a sample.
+    /// Opens the scene at a path. The first heights that are given take the places of all maps of a sample. `lanes`
+    /// is the SIMD width, 1 or 4; without one it is 4. Both give the same bits.
     ///
     /// # Errors
     ///
-    /// When the scene's file cannot be read.
-    pub fn open(self, scene: &str, is_sample: bool) -> Result<Relief, JsError> {
+    /// When the scene's file cannot be read, or there is no such width.
+    pub fn open(self, scene: &str, is_sample: bool, lanes: Option<String>) -> Result<Relief, JsError> {
         let viewer = Viewer::open(self.0, Path::new(scene))?;
+        let viewer = match lanes {
+            Some(lanes) => viewer.with_lanes(lanes.parse()?),
+            None => viewer,
+        };
         Ok(Relief { viewer: if is_sample { viewer.with_sample() } else { viewer } })
     }
 }

@@ -18,7 +18,7 @@ use pulp::WithSimd;
 pub enum Lanes {
     /// One number at a time, on every machine.
     One,
-    /// Four numbers, on machines with NEON (aarch64).
+    /// Four numbers, on machines with NEON (aarch64), and on the web (`simd128`).
     Four,
     /// Eight numbers, on machines with the instructions of x86-64-v3 (AVX2).
     Eight,
@@ -60,6 +60,9 @@ impl Lanes {
             Self::One => true,
             #[cfg(target_arch = "aarch64")]
             Self::Four => pulp::aarch64::Neon::is_available(),
+            // The whole module needs them.
+            #[cfg(target_arch = "wasm32")]
+            Self::Four => true,
             #[cfg(target_arch = "x86_64")]
             Self::Eight => pulp::x86::V3::is_available(),
             #[cfg(target_arch = "x86_64")]
@@ -72,7 +75,8 @@ impl Lanes {
     ///
     /// Only code that is inlined into `op` is compiled for the width. Long closures are not
     /// inlined. Use a type whose `with_simd` is `#[inline(always)]`. A machine that
-    /// lacks the width uses the next smaller one that it has, down to one number at a time.
+    /// lacks the width uses the next smaller one that it has, down to one number at a time. On the web that is one
+    /// number: only shaders have vectors there.
     #[inline(always)]
     pub fn run<Op: WithSimd>(self, op: Op) -> Op::Output {
         #[cfg(target_arch = "x86_64")]

@@ -12,6 +12,10 @@ use relief_scene::Scene;
 use relief_scene::environment::Environment;
 use relief_scene::tone::Tone;
 
+mod levels;
+
+use levels::Levels;
+
 /// Names of the channels of [`aov`], in order.
 pub const AOV_CHANNELS: [&str; 19] = [
     "hit",
@@ -46,7 +50,8 @@ const ROW_PART: usize = 256;
 #[derive(Clone, Debug)]
 pub struct Display {
     size: [u32; 2],
-    exposure: f32,
+    /// Factor on the light, from the exposure.
+    gain: f32,
     tone: Tone,
     /// The frame's camera and background.
     frame: Frame,
@@ -59,7 +64,7 @@ impl Display {
     pub fn of(scene: &Scene) -> Self {
         Self {
             size: scene.size(),
-            exposure: scene.exposure(),
+            gain: scene.exposure().exp2(),
             tone: scene.tone(),
             frame: view_of(scene),
             environment: scene.environment_behind(),
@@ -94,7 +99,7 @@ impl Display {
     /// Applies exposure and tone curve to a pixel's light. `covered` is the share of the pixel that
     /// a surface covers.
     fn shown(&self, light: [f32; 3], covered: f32) -> [f32; 3] {
-        let gain = self.exposure.exp2() / covered;
+        let gain = self.gain / covered;
         self.tone.apply(light.map(|light| light * gain))
     }
 }
@@ -107,7 +112,7 @@ pub fn srgb(linear: [f32; 3]) -> [f32; 3] {
 
 /// Converts a linear colour to the bytes of sRGB, rounded to the nearest as in files of eight bits.
 pub fn bytes_of(linear: [f32; 3]) -> [u8; 3] {
-    srgb(linear).map(|part| (f64::from(part) * 255.0).round() as u8)
+    linear.map(|part| Levels::get().of(part))
 }
 
 /// Returns the linear colours of a scene's picture, row by row from the top.

@@ -5,6 +5,10 @@ use std::str::FromStr;
 
 use relief_core::registry::UnknownName;
 
+mod powers;
+
+use powers::{exp2, log2};
+
 /// Tone curve: maps linear light, which has no upper limit, to linear colours of a screen from 0 to
 /// 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -84,15 +88,14 @@ const CURVE: [f32; 7] = [15.5, -40.14, 31.96, -6.868, 0.4298, 0.1191, -0.002_32]
 const POWER: f64 = 2.2_f32 as f64;
 
 fn agx(light: [f32; 3]) -> [f32; 3] {
-    // Logarithms and powers of 64 bits, rounded once: those of 32 bits are others from system to system, and then a
-    // pixel in some hundred thousand is.
+    // Rounded once: the system's own of 32 bits are others elsewhere, and then a pixel in some hundred thousand is.
     let curve = |light: f32| {
-        let stops = f64::from(light.max(1e-10)).log2() as f32;
+        let stops = log2(f64::from(light.max(1e-10))) as f32;
         let part = ((stops - STOPS[0]) / (STOPS[1] - STOPS[0])).clamp(0.0, 1.0);
         CURVE.into_iter().fold(0.0, |sum, coefficient| sum * part + coefficient)
     };
     let shown = times(&OUTSET, times(&INSET, times(&TO_REC2020, light)).map(curve));
-    times(&FROM_REC2020, shown.map(|part| f64::from(part.max(0.0)).powf(POWER) as f32))
+    times(&FROM_REC2020, shown.map(|part| exp2(POWER * log2(f64::from(part.max(0.0)))) as f32))
         .map(|part| part.clamp(0.0, 1.0))
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use relief_core::{ByteSize, Watch};
+use relief_core::{ByteSize, Lanes, Watch};
 use relief_io::{Files, MemoryFiles};
 use relief_maps::Maps;
 use relief_scene::{SceneError, SceneSpec, read_scene};
@@ -61,6 +61,12 @@ impl Viewer {
     #[must_use]
     pub fn with_sample(self) -> Self {
         Self { is_sample: true, ..self }
+    }
+
+    /// Sets the SIMD width of the CPU. Default: the widest. All widths give the same bits.
+    #[must_use]
+    pub fn with_lanes(self, lanes: Lanes) -> Self {
+        Self { drawing: self.drawing.with_lanes(lanes), ..self }
     }
 
     /// Returns what a page shows besides the picture, as JSON.

@@ -1,4 +1,4 @@
-//! `view`: times of the page of `relief view` in headless Chromium.
+//! `view`: times of the page of `relief view` in headless Chromium, with the program or without a server.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -18,6 +18,9 @@ pub struct Arguments {
     /// The command
     #[arg(long, value_name = "PROGRAM", default_value = "target/release/relief")]
     relief: PathBuf,
+    /// What `cargo xtask web` has written, usually target/web: the page without a server, in place of the program
+    #[arg(long, value_name = "FOLDER")]
+    web: Option<PathBuf>,
     /// Movements of the pointer in an orbit
     #[arg(long, default_value_t = 300)]
     frames: u32,
@@ -31,9 +34,13 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
     height.args(["height", "procedure", "fbm", "--size", "2048x2048", "-q", "-o"]).arg(&map);
     said(&mut height)?;
     npm::modules()?;
-    let program = Path::new(env!("CARGO_MANIFEST_DIR")).join("../npm/view_figures.mjs");
+    let (script, what) = match &arguments.web {
+        Some(folder) => ("web_figures.mjs", folder),
+        None => ("view_figures.mjs", &arguments.relief),
+    };
+    let program = Path::new(env!("CARGO_MANIFEST_DIR")).join("../npm").join(script);
     let mut node = Command::new("node");
-    node.arg(program).arg(&arguments.relief).arg(&map).arg("--browser").arg(&arguments.chromium);
+    node.arg(program).arg(what).arg(&map).arg("--browser").arg(&arguments.chromium);
     let figures = said(node.args(["--frames", &arguments.frames.to_string()]))?;
     let figures: Value = serde_json::from_str(&figures).map_err(|error| format!("{figures}: {error}"))?;
     let mut rows = table(&["what", "figure"]);

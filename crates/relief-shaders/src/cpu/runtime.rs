@@ -71,7 +71,10 @@ impl<'a> MapTexture<'a> {
     }
 
     /// Whether the place of each byte, and of each number, fits into a signed number of 32 bits.
-    #[cfg(all(feature = "lanes", any(target_arch = "aarch64", target_arch = "x86_64")))]
+    #[cfg(all(
+        feature = "lanes",
+        any(target_arch = "aarch64", target_arch = "wasm32", target_arch = "x86_64")
+    ))]
     fn has_places_of_32_bits(&self) -> bool {
         let count = match self.texels {
             Texels::One(texels) => texels.len(),
@@ -107,7 +110,7 @@ fn from(texels: &[[f32; 4]], first: usize) -> &[[f32; 4]] {
     texels.get(first..).unwrap_or_default()
 }
 
-#[cfg(all(feature = "lanes", any(target_arch = "aarch64", target_arch = "x86_64")))]
+#[cfg(all(feature = "lanes", any(target_arch = "aarch64", target_arch = "wasm32", target_arch = "x86_64")))]
 impl super::generated::Resources<'_> {
     /// Whether the place of each number and each byte of all maps fits into a signed number of 32 bits.
     pub(super) fn has_places_of_32_bits(&self) -> bool {
@@ -199,7 +202,10 @@ impl<'a> ColorTexture<'a> {
     }
 
     /// Whether the place of each number fits into a signed number of 32 bits.
-    #[cfg(all(feature = "lanes", any(target_arch = "aarch64", target_arch = "x86_64")))]
+    #[cfg(all(
+        feature = "lanes",
+        any(target_arch = "aarch64", target_arch = "wasm32", target_arch = "x86_64")
+    ))]
     fn has_places_of_32_bits(&self) -> bool {
         let count = |texels: &[[f32; 4]]| i32::try_from(texels.as_flattened().len());
         count(self.texels).is_ok() && count(self.coarser).is_ok()

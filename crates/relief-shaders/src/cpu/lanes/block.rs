@@ -22,7 +22,7 @@ pub fn places(which: u16) -> impl Iterator<Item = usize> {
 }
 
 /// Paths of one purpose and one level, traced in SIMD lanes at once.
-#[cfg(all(feature = "lanes", any(target_arch = "aarch64", target_arch = "x86_64")))]
+#[cfg(all(feature = "lanes", any(target_arch = "aarch64", target_arch = "wasm32", target_arch = "x86_64")))]
 pub(super) struct LaneGroup {
     /// The part of the block that holds them; a part is as wide as the lanes.
     pub part: usize,
@@ -32,7 +32,7 @@ pub(super) struct LaneGroup {
     pub use_and_level: [u32; 2],
 }
 
-#[cfg(all(feature = "lanes", any(target_arch = "aarch64", target_arch = "x86_64")))]
+#[cfg(all(feature = "lanes", any(target_arch = "aarch64", target_arch = "wasm32", target_arch = "x86_64")))]
 impl PathBlock {
     /// Takes the next group of paths out of `rest` that can be traced at once in `lanes` lanes.
     pub(super) fn next_group(&self, lanes: usize, rest: &mut u16) -> Option<LaneGroup> {

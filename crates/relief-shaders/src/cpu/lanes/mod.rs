@@ -16,6 +16,9 @@ mod block;
 mod eight;
 #[cfg(all(feature = "lanes", target_arch = "aarch64"))]
 mod four;
+#[cfg(all(feature = "lanes", target_arch = "wasm32"))]
+#[path = "four_web/mod.rs"]
+mod four;
 mod one;
 #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
 mod sixteen;
@@ -26,7 +29,7 @@ pub(in crate::cpu) use task::Task;
 pub use task::{LightPoint, TriangleRays};
 
 /// Returns that width, or one if the places of a map do not fit into the numbers of a lane.
-#[cfg(all(feature = "lanes", any(target_arch = "aarch64", target_arch = "x86_64")))]
+#[cfg(all(feature = "lanes", any(target_arch = "aarch64", target_arch = "wasm32", target_arch = "x86_64")))]
 fn fitting(r: &Resources<'_>, lanes: Lanes) -> Lanes {
     if r.has_places_of_32_bits() { lanes } else { Lanes::One }
 }
@@ -34,9 +37,12 @@ fn fitting(r: &Resources<'_>, lanes: Lanes) -> Lanes {
 /// Does a task for the places that `which` has bits for, in lanes of that width if the machine has
 /// them.
 pub(super) fn run(r: &Resources<'_>, lanes: Lanes, which: u16, task: Task<'_>) {
-    #[cfg(all(feature = "lanes", any(target_arch = "aarch64", target_arch = "x86_64")))]
+    #[cfg(all(
+        feature = "lanes",
+        any(target_arch = "aarch64", target_arch = "wasm32", target_arch = "x86_64")
+    ))]
     match fitting(r, lanes) {
-        #[cfg(target_arch = "aarch64")]
+        #[cfg(any(target_arch = "aarch64", target_arch = "wasm32"))]
         Lanes::Four => {
             if let Some(four) = four::Four::new() {
                 return four.run(r, which, task);
@@ -56,7 +62,10 @@ pub(super) fn run(r: &Resources<'_>, lanes: Lanes, which: u16, task: Task<'_>) {
         }
         _ => {}
     }
-    #[cfg(not(all(feature = "lanes", any(target_arch = "aarch64", target_arch = "x86_64"))))]
+    #[cfg(not(all(
+        feature = "lanes",
+        any(target_arch = "aarch64", target_arch = "wasm32", target_arch = "x86_64")
+    )))]
     let _ = lanes;
     one::run(r, which, task);
 }

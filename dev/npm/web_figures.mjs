@@ -1,0 +1,96 @@
+// Times of the page without a server, in headless Chromium, and of its module in Node. Prints JSON.
+//
+//     node web_figures.mjs FOLDER PATH/TO/map.png [--browser /usr/bin/chromium] [--frames 300]
+//
+// The folder holds what `cargo xtask web` writes.
+
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { parseArgs } from "node:util";
+import { pathToFileURL } from "node:url";
+import puppeteer from "puppeteer-core";
+import { serve } from "./serve.mjs";
+import { Seat } from "./view/seat.mjs";
+import { dropped, orbited, rounded, watch } from "./view/times.mjs";
+
+const { values: options, positionals } = parseArgs({
+    allowPositionals: true,
+    options: { browser: { type: "string", default: "/usr/bin/chromium" }, frames: { type: "string", default: "300" } },
+});
+const [folder, map] = positionals.map((path) => resolve(path));
+if (!map) {
+    console.error("usage: node web_figures.mjs FOLDER PATH/TO/map.png [--browser PROGRAM] [--frames N]");
+    process.exit(2);
+}
+const figures = {};
+
+/** Milliseconds of a picture by each width of lanes, the least of some in turn. */
+async function lanes() {
+    const { SceneFiles, initSync } = await import(pathToFileURL(join(folder, "relief_web.js")));
+    initSync({ module: readFileSync(join(folder, "relief_web_bg.wasm")) });
+    const wish = JSON.stringify({ width: 640, height: 480, part: 1, samples: "one" });
+    for (const method of ["exact", "relief", "cone", "occlusion", "parallax-slope"]) {
+        const viewers = ["1", "4"].map((width) => {
+            const files = new SceneFiles();
+            files.add("cobbles.png", readFileSync(join(folder, "samples", "cobbles.png")));
+            files.add("scene.toml", Buffer.from(`height = "cobbles.png"\nscale = 0.1\nmethod = "${method}"\n`));
+            const viewer = files.open("scene.toml", false, width);
+            viewer.picture(wish);
+            return viewer;
+        });
+        const least = [Infinity, Infinity];
+        for (let turn = 0; turn < 5; turn += 1) {
+            viewers.forEach((viewer, width) => {
+                const begun = performance.now();
+                viewer.picture(wish).pixels();
+                least[width] = Math.min(least[width], performance.now() - begun);
+            });
+        }
+        const [one, four] = least.map(rounded);
+        figures[`module, ${method} at 640x480`] = { "ms, one lane": one, "ms, four lanes": four, ratio: rounded(one / four) };
+    }
+}
+
+class WebSeat extends Seat {
+    async rest() {
+        const isThere = () => {
+            const canvas = document.querySelector("canvas");
+            return document.getElementById("figures").textContent !== "" && canvas.getAttribute("aria-busy") === "false";
+        };
+        // A whole picture follows a coarse one.
+        for (let quiet = 0; quiet < 3; quiet += 1) {
+            await new Promise((done) => setTimeout(done, 400));
+            await this.page.waitForFunction(isThere, { timeout: 120_000 });
+        }
+    }
+}
+
+async function onThePage() {
+    const profile = mkdtempSync(join(tmpdir(), "relief-web-profile-"));
+    const args = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"];
+    const browser = await puppeteer.launch({ executablePath: options.browser, userDataDir: profile, args });
+    const { server, address } = await serve(folder);
+    for (const turn of ["first visit", "second visit"]) {
+        const page = await browser.newPage();
+        await page.setViewport({ width: 1280, height: 800 });
+        await page.evaluateOnNewDocument(watch);
+        await page.goto(address);
+        const seat = new WebSeat(page);
+        await seat.rest();
+        const { shown } = await page.evaluate(() => window.seen);
+        figures[`sample, ${turn}`] = { "first ms": rounded(shown[0].at), "whole ms": rounded(shown.at(-1).at) };
+        if (turn === "second visit") {
+            figures["a map of 2048x2048 texels, drop to picture"] = await dropped(seat, map);
+            figures["orbit of that map, exact"] = await orbited(seat, Number(options.frames));
+        }
+        await page.close();
+    }
+    await browser.close();
+    server.close();
+    rmSync(profile, { recursive: true });
+}
+
+await lanes();
+await onThePage();
+console.log(JSON.stringify(figures, null, 1));
