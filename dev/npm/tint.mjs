@@ -1,10 +1,11 @@
-// Exports shaders as WGSL and compiles each with Tint, Chromium's compiler. It refuses some texts that naga takes.
-// Needs no GPU: the device is Dawn's null device.
+// Exports shaders as WGSL and compiles each with Tint, Chromium's compiler. It refuses some texts that naga
+// takes. Needs no GPU: the device is Dawn's null device.
 //
 //     node tint.mjs PATH/TO/relief
 //
-// Exported are all methods, as shaders and as functions, and every variant of the other stages on the method
-// `relief`, or on `voxels` where it needs a volume, or on `shell-map` where it needs a motif, in both samplings.
+// Exported are all methods, as shaders and as functions, and every variant of the other stages on
+// the method `relief`, or on `voxels` where it needs a volume, or on `shell-map` where it needs a
+// motif, in both samplings.
 
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
@@ -79,8 +80,8 @@ for (const [stage, flag] of Object.entries(STAGES)) {
     }
 }
 
-// The first of some selections that can be exported, and its texts; no texts where the command says of each that
-// its variants do not go together.
+// The first of some selections that can be exported, and its texts; no texts where the command says of each
+// that its variants do not go together.
 function firstExport(selections, sampling) {
     for (const selection of selections) {
         const flags = [...selection, "--sampling", sampling];

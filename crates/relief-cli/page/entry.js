@@ -1,5 +1,5 @@
-// A text field and what a person types in it. What is typed stays until the scene has it, or until it is taken
-// back; otherwise the field follows the scene.
+// A text field and what a person types in it. What is typed stays until the scene has it, or until it is
+// taken back; otherwise the field follows the scene.
 
 /** @import { Applied } from "./protocol.d.ts" */
 

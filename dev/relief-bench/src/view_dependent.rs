@@ -117,8 +117,8 @@ fn maps() -> Result<Vec<(&'static str, HeightMap)>, String> {
     Ok(maps)
 }
 
-/// A ray from the relief's top, up to [`MOST_DEGREES`] from the normal. A bent one has `β` from -¼ to ¼: from one that
-/// falls ever faster to one that just touches height 0.
+/// A ray from the relief's top, up to [`MOST_DEGREES`] from the normal. A bent one has `β` from -¼ to ¼: from
+/// one that falls ever faster to one that just touches height 0.
 fn ray(rng: &mut Rng, is_bent: bool) -> Path {
     let (angle, tilt) = (TAU * rng.unit(), (MOST_DEGREES * rng.unit()).to_radians());
     let length = DEPTH * tilt.tan();

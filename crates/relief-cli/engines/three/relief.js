@@ -1,5 +1,6 @@
-// Relief on the materials of three.js: what `relief shader --entry functions` writes, as nodes of any
-// MeshStandardNodeMaterial. Colour, normal, roughness, depth, silhouette, and shadows that are cast and received.
+// Relief on the materials of three.js: what `relief shader --entry functions` writes, as nodes
+// of any MeshStandardNodeMaterial. Colour, normal, roughness, depth, silhouette, and shadows
+// that are cast and received.
 //
 // SPDX-License-Identifier: MIT OR Apache-2.0
 
@@ -41,8 +42,8 @@ export async function loadRelief( url ) {
 }
 
 /**
- * Reads a picture as a height map: its red part, from 0 to 1. Browsers read 8 bits of it, which shows as terraces
- * on smooth relief.
+ * Reads a picture as a height map: its red part, from 0 to 1. Browsers read 8 bits of it, which shows as
+ * terraces on smooth relief.
  */
 export async function loadHeights( url ) {
 
@@ -150,8 +151,9 @@ function sources( about ) {
 }
 
 /**
- * Whether the mesh that is drawn has frames of its own: unit tangents, the lengths of a tile and the curvature at
- * each vertex, as `relief engine` writes them. three.js does not turn them with instances and bones.
+ * Whether the mesh that is drawn has frames of its own: unit tangents, the lengths of a tile
+ * and the curvature at each vertex, as `relief engine` writes them. three.js does not turn them
+ * with instances and bones.
  */
 function hasFrames( { geometry, object } ) {
 
@@ -179,9 +181,9 @@ function ownCurvature() {
 const LEAST_TURN = 1e-6;
 
 /**
- * The frame of a fragment in view space: what measures a direction along +u and along +v, and the normal. A mesh
- * that is scaled unevenly has no right angle between +u and +v: one measures across the other. From the mesh's own
- * frames, else from derivatives.
+ * The frame of a fragment in view space: what measures a direction along +u and along +v, and the normal. A
+ * mesh that is scaled unevenly has no right angle between +u and +v: one measures across the other. From the
+ * mesh's own frames, else from derivatives.
  */
 function frameOf( position, coordinates, normal ) {
 

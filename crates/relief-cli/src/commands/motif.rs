@@ -41,7 +41,8 @@ pub struct Arguments {
     /// GLB file to write
     #[arg(short, long, value_name = "FILE.glb")]
     output: PathBuf,
-    /// Yarns, which are threads of cloth, along each side of the tile: an even number from 2 to 256 [default: 4]
+    /// Yarns, which are threads of cloth, along each side of the tile: an even number
+    /// from 2 to 256 [default: 4]
     #[arg(long, value_name = "N", help_heading = "Shape")]
     yarns: Option<u32>,
     /// Links of mail along u in the tile, 1 to 128. There are about ten thirds as many rows

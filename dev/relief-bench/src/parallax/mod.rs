@@ -1,5 +1,6 @@
-//! `parallax`: what engines have of their own beside Relief's methods in their shaders, in one run: how far hits
-//! are off the exact ones, and how long a frame takes. An unlit texture whose colours are its coordinates shows each.
+//! `parallax`: what engines have of their own beside Relief's methods in their shaders, in one run:
+//! how far hits are off the exact ones, and how long a frame takes. An unlit texture whose colours are
+//! its coordinates shows each.
 
 mod babylon;
 mod bevy;

@@ -74,8 +74,8 @@ impl Include {
         owned + rest
     }
 
-    /// The include with textures that a compute pass binds, without methods that take derivatives; and a body of
-    /// statements that calls methods.
+    /// The include with textures that a compute pass binds, without methods that take derivatives; and a body
+    /// of statements that calls methods.
     pub(super) fn in_compute(&self, body: &str) -> [String; 2] {
         let [of, value] = OWNER;
         let named = self.named();
@@ -89,8 +89,8 @@ impl Include {
         [text, format!("{filled}    {}", self.calls(body, &format!("{value}.")))]
     }
 
-    /// A fragment shader with a function as Unreal makes it of a Custom node with this code. `shown` makes four
-    /// numbers of what the node gives.
+    /// A fragment shader with a function as Unreal makes it of a Custom node with this code. `shown` makes
+    /// four numbers of what the node gives.
     pub fn in_node(&self, code: &str, scale: f32, shown: &str) -> String {
         let mut text = format!("{}{SURFACE}", self.named());
         let [mut inputs, mut given] = [String::new(), String::new()];

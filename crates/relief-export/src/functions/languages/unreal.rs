@@ -140,7 +140,8 @@ pub fn enclosed(text: &str, macros: &str, structure: &str) -> String {
     )
 }
 
-/// Declarations with their comments: each ends with a brace that begins a line, or is a line with a semicolon.
+/// Declarations with their comments: each ends with a brace that begins a line, or is a line with a
+/// semicolon.
 fn pieces(text: &str) -> Vec<Vec<&str>> {
     let mut pieces = Vec::new();
     let mut piece = Vec::new();

@@ -1,4 +1,5 @@
-//! Draws the kit's mesh with its material, whose shader says hits as colours, and writes the picture's numbers.
+//! Draws the kit's mesh with its material, whose shader says hits as colours, and
+//! writes the picture's numbers.
 
 mod relief;
 mod relief_functions;

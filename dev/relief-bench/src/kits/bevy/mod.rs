@@ -1,5 +1,5 @@
-//! The kit of Bevy, built with a toolchain of its own. What `relief engine bevy` writes is shown as it is, and
-//! with a shader that says hits as colours.
+//! The kit of Bevy, built with a toolchain of its own. What `relief engine bevy` writes is shown as it is,
+//! and with a shader that says hits as colours.
 
 use std::fs;
 use std::io::BufReader;
