@@ -110,12 +110,14 @@ for (const selection of selections) {
                 console.log(`${flags.join(" ")}:\n  ${found.slice(0, 3).join("\n  ")}`);
             }
             // A text with a fault must not pass.
-            const broken = text.replace(/fn (shade_pixel|gathered_in_shell|relief_base_of_point)\(/, "fn $1s(");
+            const entry = /fn (shade_pixel|gathered_in_shell|relief_base_of_point)\(/;
+            const broken = text.replace(entry, "fn $1s(");
             if (broken === text || (await errors(broken)).length === 0) {
                 throw new Error(`${flags.join(" ")}: a fault in the text was not noticed`);
             }
         }
     }
 }
-console.log(`Tint: ${compiled} shaders compiled, ${failed} refused by it, ${refused} selections that do not go together`);
+const count = `${compiled} shaders compiled, ${failed} refused by it`;
+console.log(`Tint: ${count}, ${refused} selections that do not go together`);
 process.exit(failed > 0 || compiled === 0 ? 1 : 0);

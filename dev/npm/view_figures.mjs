@@ -10,11 +10,15 @@ import { Bench } from "./view/bench.mjs";
 
 const { values: options, positionals } = parseArgs({
     allowPositionals: true,
-    options: { browser: { type: "string", default: "/usr/bin/chromium" }, frames: { type: "string", default: "300" } },
+    options: {
+        browser: { type: "string", default: "/usr/bin/chromium" },
+        frames: { type: "string", default: "300" },
+    },
 });
 const [relief, map] = positionals.map((path) => resolve(path));
 if (!map) {
-    console.error("usage: node view_figures.mjs PATH/TO/relief PATH/TO/map.png [--browser PROGRAM] [--frames N]");
+    const flags = "[--browser PROGRAM] [--frames N]";
+    console.error(`usage: node view_figures.mjs PATH/TO/relief PATH/TO/map.png ${flags}`);
     process.exit(2);
 }
 const frames = Number(options.frames);
@@ -59,7 +63,8 @@ const rounded = (number) => Math.round(10 * number) / 10;
 function waits({ moves, sent, shown }) {
     const each = moves.map((move) => {
         const change = sent.find(({ at }) => at >= move);
-        const picture = change && shown.find(({ at, revision }) => at >= change.at && revision >= change.revision);
+        const shows = ({ at, revision }) => at >= change.at && revision >= change.revision;
+        const picture = change && shown.find(shows);
         return picture && picture.at - move;
     });
     return each.filter((wait) => wait !== undefined).sort((a, b) => a - b);
@@ -118,6 +123,7 @@ const run = async (name, scene, test) => {
 await run("a map of 2048x2048 texels, drop to picture, ms", ["--backend", "cpu"], dropped);
 await run("orbit, exact on a plane", ["cobbles.png", "--backend", "cpu"], orbited);
 const torus = ["cobbles.png", "--mesh", "torus", "--tile", "6,2", "--backend", "cpu"];
-await run("orbit, relief on a torus", [...torus, "--method", "relief", "--surface", "quadric-vertical"], orbited);
+const onTorus = [...torus, "--method", "relief", "--surface", "quadric-vertical"];
+await run("orbit, relief on a torus", onTorus, orbited);
 await bench.close();
 console.log(JSON.stringify(figures, null, 1));

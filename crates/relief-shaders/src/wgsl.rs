@@ -414,7 +414,8 @@ fn called(place: usize, stage: &Stage, call: &Call, choice: &Choice) -> String {
     let declared: Vec<String> = call.inputs.iter().map(|(name, kind)| format!("{name}: {kind}")).collect();
     let passed: Vec<&str> = call.inputs.iter().map(|(name, _)| *name).collect();
     format!(
-        "\n// The chosen {}: {}.\nfn {}({}) -> {} {{\n    return {}({}, surface_settings.choices[{place}].params);\n}}\n",
+        "\n// The chosen {}: {}.\nfn {}({}) -> {} {{\n    \
+         return {}({}, surface_settings.choices[{place}].params);\n}}\n",
         stage.title,
         choice.entry.summary,
         stage.function(call),

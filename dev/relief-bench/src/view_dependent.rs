@@ -189,9 +189,10 @@ fn bound(rays: usize) -> Result<bool, String> {
         rows.add_row([name.to_owned(), asked.to_string(), late.to_string(), noticed.to_string()]);
     }
     println!(
-        "Free ways of 16 azimuths, 8 elevations and 4 bends: rays up to {MOST_DEGREES} degrees from the normal, half of \
-         them bent, a third of them in each wrap; a relief as deep as a tenth of the tile. A ray is late if it was more \
-         than {ROUNDING:e} of the depth below the surface before its hit.\n\n{rows}\n"
+        "Free ways of 16 azimuths, 8 elevations and 4 bends: rays up to {MOST_DEGREES} degrees from the \
+         normal, half of them bent, a third of them in each wrap; a relief as deep as a tenth of the tile. A \
+         ray is late if it was more than {ROUNDING:e} of the depth below the surface before its hit.\n\n\
+         {rows}\n"
     );
     Ok(holds)
 }

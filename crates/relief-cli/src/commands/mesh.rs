@@ -152,14 +152,14 @@ impl Arguments {
         let file = self.height.display();
         if MeshFormat::by_name(&self.height).is_some() {
             return Err(Failure::Usage(format!(
-                "{file}: is a mesh, and a height map is asked for here: to repeat it over another mesh give it with \
-                 --motif"
+                "{file}: is a mesh, and a height map is asked for here: to repeat it over another mesh give \
+                 it with --motif"
             )));
         }
         if is_volume(&self.height) {
             return Err(Failure::Usage(format!(
-                "{file}: is a volume, which only `relief render` shows: give a height map, or with --motif the mesh \
-                 that it was made from"
+                "{file}: is a volume, which only `relief render` shows: give a height map, or with --motif \
+                 the mesh that it was made from"
             )));
         }
         Ok(())

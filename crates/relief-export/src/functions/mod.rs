@@ -164,8 +164,8 @@ fn check(selection: &Selection, form: Form) -> Result<(), ExportError> {
         Err(ExportError::NoFunctions { stage, entry, key: STAGES[place].key, reason })
     };
     if selection.geometry().is_some() {
-        let reason = "its triangles are made on the CPU, and no ray is traced through a relief on them: choose a \
-                      method that traces rays, as 'cone' or 'relief'";
+        let reason = "its triangles are made on the CPU, and no ray is traced through a relief on them: \
+                      choose a method that traces rays, as 'cone' or 'relief'";
         return refused(GEOMETRY, reason.to_owned());
     }
     if selection.is_translucent() {

@@ -24,7 +24,10 @@ pub enum VectorSheetError {
         vectors: usize,
     },
     /// A vector is not finite or reaches too far.
-    #[error("the vector at ({column}, {row}) moves its point by {tiles} tiles, more than {far}", far = VectorSheet::FAR)]
+    #[error(
+        "the vector at ({column}, {row}) moves its point by {tiles} tiles, more than {far}",
+        far = VectorSheet::FAR
+    )]
     Far {
         /// Its column.
         column: u32,

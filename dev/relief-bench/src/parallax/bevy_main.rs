@@ -120,7 +120,12 @@ fn main() -> AppExit {
         Tonemapping::None,
         DebandDither::Disabled,
         RenderTarget::Image(target.clone().into()),
-        Projection::from(PerspectiveProjection { fov: fov.to_radians(), near: 0.01, far: 100.0, ..default() }),
+        Projection::from(PerspectiveProjection {
+            fov: fov.to_radians(),
+            near: 0.01,
+            far: 100.0,
+            ..default()
+        }),
         Transform::default(),
     ));
     let camera = camera.id();

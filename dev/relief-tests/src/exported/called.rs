@@ -95,7 +95,8 @@ impl Device {
             "1.0".to_owned()
         };
         let body = format!(
-            "let settings = own_settings;\n    let at = {point};\n    let hit = {prefix}_hit(settings, at);\n    \
+            "let settings = own_settings;\n    let at = {point};\n    \
+             let hit = {prefix}_hit(settings, at);\n    \
              var light = 0.0;\n    if (hit.hit) {{\n        light = {light};\n    }}\n    \
              results[out_at] = select(0.0, 1.0, hit.hit);\n    results[out_at + 1u] = hit.uv.x;\n    \
              results[out_at + 2u] = hit.uv.y;\n    results[out_at + 3u] = hit.height;\n    \
@@ -144,7 +145,8 @@ impl Device {
              results[out_at] = select(0.0, 1.0, hit.hit);\n    results[out_at + 1u] = hit.uv.x;\n    \
              results[out_at + 2u] = hit.uv.y;\n    results[out_at + 3u] = hit.depth;\n    \
              results[out_at + 4u] = hit.position.x;\n    results[out_at + 5u] = hit.position.y;\n    \
-             results[out_at + 6u] = hit.position.z;\n    results[out_at + 7u] = dot(hit.normal, {toward});\n    \
+             results[out_at + 6u] = hit.position.z;\n    \
+             results[out_at + 7u] = dot(hit.normal, {toward});\n    \
              results[out_at + 8u] = light;"
         );
         let numbers: Vec<f32> = rays.iter().flat_map(numbers_of_triangle).collect();
@@ -175,7 +177,8 @@ pub fn body_of_paths(exported: &ExportedFunctions, dialect: Dialect) -> String {
     let [path, hit] = [type_of(exported, "Path"), type_of(exported, "TracedHit")];
     let made = dialect.statement(&made(&text, &path, &PATH), &path);
     format!(
-        "{}\n    {}\n    {}\n    results[out_at] = {}(found.found);\n    results[out_at + 1u] = found.uv.x;\n    \
+        "{}\n    {}\n    {}\n    results[out_at] = {}(found.found);\n    \
+         results[out_at + 1u] = found.uv.x;\n    \
          results[out_at + 2u] = found.uv.y;\n    results[out_at + 3u] = found.t;",
         dialect.declared("settings", &type_of(exported, "Settings"), "own_settings"),
         dialect.declared("path", &path, &made),

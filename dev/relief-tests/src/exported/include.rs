@@ -109,8 +109,9 @@ impl Include {
              float4 main(float2 uv : TEXCOORD0, float3 way : TEXCOORD1, float3 normal : TEXCOORD2, \
              float depth : TEXCOORD3, float3 sun : TEXCOORD4) : SV_Target\n{{\n    \
              float mask = 0.0;\n    float2 at = float2(0.0, 0.0);\n    float offset = 0.0;\n    \
-             float light = 1.0;\n    float3 bent = CustomExpression0(uv, way, normal, depth, {scale:?}, sun{given}, \
-             mask, at, offset, light);\n    return {shown};\n}}\n"
+             float light = 1.0;\n    \
+             float3 bent = CustomExpression0(uv, way, normal, depth, {scale:?}, sun{given}, mask, at, \
+             offset, light);\n    return {shown};\n}}\n"
         )
     }
 }

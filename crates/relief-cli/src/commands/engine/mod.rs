@@ -128,8 +128,8 @@ fn kit_of(name: &str) -> Result<&'static EngineKit, Failure> {
     let known = KITS.map(|kit| kit.engine);
     if ENGINES.iter().any(|engine| engine.name == name) {
         return Err(Failure::Usage(format!(
-            "{name}: there is no kit for it, only for {}: `relief bake --for {name}` writes its textures, and \
-             `relief shader --entry functions` a method for its shaders",
+            "{name}: there is no kit for it, only for {}: `relief bake --for {name}` writes its textures, \
+             and `relief shader --entry functions` a method for its shaders",
             known.join(", ")
         )));
     }

@@ -44,8 +44,8 @@ pub struct Arguments {
         value_name = "FILE",
         conflicts_with_all = [
             "error", "triangles", "texels", "view", "level_filter", "judge", "fit", "side", "solid", "tiles",
-            "edges", "interior", "base", "directions", "shading", "maps", "textures", "udim", "seams", "holes",
-            "print_size", "quantize", "strips", "lods", "place", "up", "invert"
+            "edges", "interior", "base", "directions", "shading", "maps", "textures", "udim", "seams",
+            "holes", "print_size", "quantize", "strips", "lods", "place", "up", "invert"
         ],
         help_heading = "Maps and mesh"
     )]

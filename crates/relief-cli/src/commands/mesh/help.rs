@@ -23,16 +23,16 @@ pub(super) const AFTER_HELP: &str = "Examples:\n  \
     relief mesh --motif data/mushrooms.exr --mesh panel.obj --tile 2,2 -o grown.glb  # a vector displacement map\n\n\
     The triangles show the same relief as `relief render` with the same --scale and --bias. By default it is \
     carved into the mesh; --bias 0 puts it on top.\n\n\
-    A plane whose map knows its metres (by its file or --tile-size) is as long as the ground. Its lowest height \
-    is then at y = 0, x is east and z south. --scale, --bias and --error are lengths of it, and --exaggerate N \
-    makes heights N times as high. Other planes are 1 m long.\n\n\
+    A plane whose map knows its metres (by its file or --tile-size) is as long as the ground. Its lowest \
+    height is then at y = 0, x is east and z south. --scale, --bias and --error are lengths of it, and \
+    --exaggerate N makes heights N times as high. Other planes are 1 m long.\n\n\
     On planes, and with --error elsewhere, triangles are as large as the tolerance allows. No point of the \
     relief is farther from them, measured from the same point of the mesh; the answer says how far it is and \
     where. --shading mesh smooths the effect on normals of texels much finer than the triangles.\n\n\
     Without --seams keep the file has no cracks where the mesh has none. The answer counts open edges (a \
-    sheet's border is open) and folded triangles, with the numbers of the mesh's triangles, from 0, that they \
-    belong to. Look at the file with `relief render --mesh FILE`, `relief inspect FILE`, or any viewer of \
-    glTF.";
+    sheet's border is open) and folded triangles, with the numbers of the mesh's triangles, from 0, that \
+    they belong to. Look at the file with `relief render --mesh FILE`, `relief inspect FILE`, or any viewer \
+    of glTF.";
 
 pub(super) fn edges_help() -> String {
     let rows = EDGE_RULES.iter().map(|rule| (rule.name, rule.summary));

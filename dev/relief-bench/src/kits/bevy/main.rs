@@ -68,7 +68,12 @@ fn main() -> AppExit {
         Tonemapping::None,
         DebandDither::Disabled,
         RenderTarget::Image(target.clone().into()),
-        Projection::from(PerspectiveProjection { fov: fov.to_radians(), near: 0.01, far: 100.0, ..default() }),
+        Projection::from(PerspectiveProjection {
+            fov: fov.to_radians(),
+            near: 0.01,
+            far: 100.0,
+            ..default()
+        }),
         Transform::from_translation(eye).looking_at(Vec3::ZERO, Vec3::Y),
     ));
     app.insert_resource(Job { target, mesh, frames, file, frame: 0 }).run()
