@@ -1,10 +1,11 @@
-// Exports shaders as WGSL and compiles each with Tint, Chromium's compiler. It refuses some texts that naga takes.
-// Needs no GPU: the device is Dawn's null device.
+// Exports shaders as WGSL and compiles each with Tint, Chromium's compiler. It refuses some texts that naga
+// takes. Needs no GPU: the device is Dawn's null device.
 //
 //     node tint.mjs PATH/TO/relief
 //
-// Exported are all methods, as shaders and as functions, and every variant of the other stages on the method
-// `relief`, or on `voxels` where it needs a volume, or on `shell-map` where it needs a motif, in both samplings.
+// Exported are all methods, as shaders and as functions, and every variant of the other stages on
+// the method `relief`, or on `voxels` where it needs a volume, or on `shell-map` where it needs a
+// motif, in both samplings.
 
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
@@ -79,8 +80,8 @@ for (const [stage, flag] of Object.entries(STAGES)) {
     }
 }
 
-// The first of some selections that can be exported, and its texts; no texts where the command says of each that
-// its variants do not go together.
+// The first of some selections that can be exported, and its texts; no texts where the command says of each
+// that its variants do not go together.
 function firstExport(selections, sampling) {
     for (const selection of selections) {
         const flags = [...selection, "--sampling", sampling];
@@ -109,12 +110,14 @@ for (const selection of selections) {
                 console.log(`${flags.join(" ")}:\n  ${found.slice(0, 3).join("\n  ")}`);
             }
             // A text with a fault must not pass.
-            const broken = text.replace(/fn (shade_pixel|gathered_in_shell|relief_base_of_point)\(/, "fn $1s(");
+            const entry = /fn (shade_pixel|gathered_in_shell|relief_base_of_point)\(/;
+            const broken = text.replace(entry, "fn $1s(");
             if (broken === text || (await errors(broken)).length === 0) {
                 throw new Error(`${flags.join(" ")}: a fault in the text was not noticed`);
             }
         }
     }
 }
-console.log(`Tint: ${compiled} shaders compiled, ${failed} refused by it, ${refused} selections that do not go together`);
+const count = `${compiled} shaders compiled, ${failed} refused by it`;
+console.log(`Tint: ${count}, ${refused} selections that do not go together`);
 process.exit(failed > 0 || compiled === 0 ? 1 : 0);

@@ -33,7 +33,9 @@ function types() {
     execFileSync(process.execPath, [compiler, "-p", project, "--noEmit"], { stdio: "inherit" });
 }
 
-const tests = Object.entries({ ...pictures, ...hosts, ...cameras, ...controls, ...files, ...hands, ...views });
+const tests = Object.entries({
+    ...pictures, ...hosts, ...cameras, ...controls, ...files, ...hands, ...views,
+});
 const chosen = tests.filter(([name]) => !options.only || name.includes(options.only));
 if (chosen.length === 0) {
     console.error(`no test is called '${options.only}': ${tests.map(([name]) => name).join(", ")}`);

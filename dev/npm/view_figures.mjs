@@ -10,11 +10,15 @@ import { dropped, orbited, watch } from "./view/times.mjs";
 
 const { values: options, positionals } = parseArgs({
     allowPositionals: true,
-    options: { browser: { type: "string", default: "/usr/bin/chromium" }, frames: { type: "string", default: "300" } },
+    options: {
+        browser: { type: "string", default: "/usr/bin/chromium" },
+        frames: { type: "string", default: "300" },
+    },
 });
 const [relief, map] = positionals.map((path) => resolve(path));
 if (!map) {
-    console.error("usage: node view_figures.mjs PATH/TO/relief PATH/TO/map.png [--browser PROGRAM] [--frames N]");
+    const flags = "[--browser PROGRAM] [--frames N]";
+    console.error(`usage: node view_figures.mjs PATH/TO/relief PATH/TO/map.png ${flags}`);
     process.exit(2);
 }
 const frames = Number(options.frames);

@@ -127,7 +127,8 @@ const tests = {
         const tasks = [];
         const first = drawn((task, part) => { tasks.push([task, part]); });
         const about = JSON.parse(first.about);
-        assert.deepEqual([about.revision, about.size, about.samples, about.views[0].backend], [0, [48, 36], 1, "cpu"]);
+        const told = [about.revision, about.size, about.samples, about.views[0].backend];
+        assert.deepEqual(told, [0, [48, 36], 1, "cpu"]);
         const before = first.pixels();
         assert.equal(before.length, 4 * 48 * 36);
         assert.deepEqual(tasks.at(-1), ["rendering", 1]);

@@ -73,7 +73,8 @@ class Web {
     /** Waits until a whole picture of what was asked for is shown. */
     async rest(before = "") {
         const isThere = (before) => {
-            const [text, canvas] = [document.getElementById("figures").textContent, document.querySelector("canvas")];
+            const text = document.getElementById("figures").textContent;
+            const canvas = document.querySelector("canvas");
             return text !== before && text !== "" && canvas.getAttribute("aria-busy") === "false";
         };
         await this.page.waitForFunction(isThere, { timeout: 120_000 }, before);
@@ -103,10 +104,12 @@ class Web {
     async checkSame() {
         const text = (await this.saved("scene.toml")).toString();
         writeFileSync(join(this.here, "same.toml"), text);
-        execFileSync(relief, ["render", "same.toml", "-q", "-o", "same.png", "--backend", "cpu"], { cwd: this.here });
+        const words = ["render", "same.toml", "-q", "-o", "same.png", "--backend", "cpu"];
+        execFileSync(relief, words, { cwd: this.here });
         const [shown, drawn] = [await this.canvas(), decoded(readFileSync(join(this.here, "same.png")))];
         assert.deepEqual([shown.width, shown.height], [drawn.width, drawn.height]);
-        assert.ok(shown.bytes.equals(drawn.bytes), "the canvas has other bytes than the PNG of relief render");
+        const isSame = shown.bytes.equals(drawn.bytes);
+        assert.ok(isSame, "the canvas has other bytes than the PNG of relief render");
         rmSync(join(this.here, "scene.toml"));
     }
 }

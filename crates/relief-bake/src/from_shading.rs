@@ -147,7 +147,8 @@ pub enum FromShadingError {
     NoDirection,
     /// The light is below the surface or along it.
     #[error(
-        "the light is not above the surface: its third number, towards the camera, is {0} of its length and must be above 0.01"
+        "the light is not above the surface: its third number, towards the camera, is {0} of its length and \
+         must be above 0.01"
     )]
     BelowHorizon(f64),
     /// The albedo is out of range.

@@ -20,7 +20,10 @@ pub struct Settings {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SettingsError {
     /// The kind has no such parameter.
-    #[error("the map kind '{kind}' has no parameter '{name}'; it has {}", if known.is_empty() { "none".to_owned() } else { known.join(", ") })]
+    #[error(
+        "the map kind '{kind}' has no parameter '{name}'; it has {}",
+        if known.is_empty() { "none".to_owned() } else { known.join(", ") }
+    )]
     NoParam {
         /// The kind.
         kind: &'static str,
@@ -30,7 +33,10 @@ pub enum SettingsError {
         known: Vec<&'static str>,
     },
     /// The value is not accepted.
-    #[error("{kind}.{name} is {value}: it must be {} from {min} to {max}", if *integer { "a whole number" } else { "a number" })]
+    #[error(
+        "{kind}.{name} is {value}: it must be {} from {min} to {max}",
+        if *integer { "a whole number" } else { "a number" }
+    )]
     Value {
         /// The kind.
         kind: &'static str,

@@ -13,8 +13,8 @@ import { textOf, written } from "./values.js";
  * @property {string} id of the field that the label names
  * @property {string} label id of the label
  * @property {string} about ids of what describes the field
- * @property {(value: Value, drag?: number | null) => Promise<Applied | null>} set tells what changed; null: it
- * was refused
+ * @property {(value: Value, drag?: number | null) => Promise<Applied | null>} set tells what changed;
+ * null: it was refused
  * @property {() => Promise<Applied | null>} lose
  * @property {() => number} burst number of the drag that key presses in a row belong to
  * @property {(error: string) => void} refuse says why nothing can be set; empty: it was taken back

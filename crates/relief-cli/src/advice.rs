@@ -51,13 +51,13 @@ pub fn of_read(problem: &ReadProblem) -> Option<Advice> {
         // Raw samples are unsigned, so the value that marks no height is 32768, not -32768.
         ReadProblem::Foreign(ForeignFormat::Srtm { side: 3601 }) => Advice {
             flag: "where no height is below 0, --raw 3601x3601,be --nodata 32768 reads it without its place",
-            key: "where no height is below 0, the keys raw = \"3601x3601,be\" and nodata = 32768 read it without its \
-                  place",
+            key: "where no height is below 0, the keys raw = \"3601x3601,be\" and nodata = 32768 read it \
+                  without its place",
         },
         ReadProblem::Foreign(ForeignFormat::Srtm { .. }) => Advice {
             flag: "where no height is below 0, --raw 1201x1201,be --nodata 32768 reads it without its place",
-            key: "where no height is below 0, the keys raw = \"1201x1201,be\" and nodata = 32768 read it without its \
-                  place",
+            key: "where no height is below 0, the keys raw = \"1201x1201,be\" and nodata = 32768 read it \
+                  without its place",
         },
         ReadProblem::NeedsRawLayout => Advice {
             flag: "use --raw 1024x1024,le (or be)",
@@ -68,7 +68,8 @@ pub fn of_read(problem: &ReadProblem) -> Option<Advice> {
             Advice { flag: "use --channel NAME", key: "use the key 'channel'" }
         }
         ReadProblem::NotGrey { .. } => Advice {
-            flag: "use --channel NAME; --motif of `relief render` and `relief mesh` takes vector displacement maps",
+            flag: "use --channel NAME; --motif of `relief render` and `relief mesh` takes vector \
+                   displacement maps",
             key: "use the key 'channel'",
         },
         ReadProblem::Holes { .. } => Advice { flag: "use --fill", key: "use the key fill = true" },
@@ -108,10 +109,11 @@ pub fn of_note(note: &ReadNote) -> Option<[String; 2]> {
         Some([text.to_owned(), text.to_owned()])
     } else if *row == omissions::DEEP_RELIEF {
         Some([
-            ": give a smaller --scale; for ground give its metres instead, with --elevation LOW,HIGH and --tile-size \
-             U,V"
-            .to_owned(),
-            ": give a smaller scale; for ground give its metres instead, with the keys elevation and tile-size"
+            ": give a smaller --scale; for ground give its metres instead, with --elevation LOW,HIGH and \
+             --tile-size U,V"
+                .to_owned(),
+            ": give a smaller scale; for ground give its metres instead, with the keys elevation and \
+             tile-size"
                 .to_owned(),
         ])
     } else if *row == omissions::FOLDED_SHELLS {
@@ -191,10 +193,10 @@ pub fn of_scene(error: &SceneError) -> Option<Advice> {
         SceneError::Read(error) => of_read(&error.problem),
         SceneError::Picture(error) => of_picture(&error.problem),
         SceneError::Ramp { .. } => Some(Advice {
-            flag: "if its heights 0 and 1 stand for elevations, state them with --elevation LOW,HIGH; if its values \
-                   are metres themselves, use --unit m",
-            key: "if its heights 0 and 1 stand for elevations, state them with the key elevation = [LOW, HIGH]; if its \
-                  values are metres themselves, use the key unit = \"m\"",
+            flag: "if its heights 0 and 1 stand for elevations, state them with --elevation LOW,HIGH; if its \
+                   values are metres themselves, use --unit m",
+            key: "if its heights 0 and 1 stand for elevations, state them with the key elevation = [LOW, \
+                  HIGH]; if its values are metres themselves, use the key unit = \"m\"",
         }),
         SceneError::Mesh(error) => of_mesh(&error.problem),
         SceneError::Motif(error) => of_motif(error),

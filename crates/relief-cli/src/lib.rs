@@ -31,9 +31,9 @@ mod waiting;
 #[derive(Parser)]
 #[command(name = "relief", version, propagate_version = true, max_term_width = 100)]
 #[command(after_help = "Start with: relief render data/bricks.png -o bricks.png\n\n\
-    Exit codes: 0 done; 1 the work failed and no file was written; 2 the command line is wrong. After code 1, \
-    `render --frames` keeps finished frames, and `compare` keeps its page if no method keeps --budget-ms or \
-    --max-error.")]
+    Exit codes: 0 done; 1 the work failed and no file was written; 2 the command line is wrong. After code \
+    1, `render --frames` keeps finished frames, and `compare` keeps its page if no method keeps --budget-ms \
+    or --max-error.")]
 struct Arguments {
     #[command(flatten)]
     common: Common,

@@ -236,8 +236,8 @@ fn pictures_take_a_band_in_every_format() {
         for size in ["3000x2000", "12000x500"] {
             let taken = |name: &str| {
                 let line = format!(
-                    "render --height map.png --backend cpu --method bump --shadow none --samples 1 --size {size} \
-                     -o {name}"
+                    "render --height map.png --backend cpu --method bump --shadow none --samples 1 --size \
+                     {size} -o {name}"
                 );
                 let (code, peak) = peak(folder, &line);
                 assert_eq!(code, Some(0), "relief {line}");

@@ -296,7 +296,8 @@ pub static COLUMNS: &[Column] = &[
     figure(
         "displacement_ms",
         "displacement ms",
-        "extra time over bump mapping, without shadows: of the tracing pass by a GPU's clock, or of the frame",
+        "extra time over bump mapping, without shadows: of the tracing pass by a GPU's clock, or of the \
+         frame",
         2,
         |row| time(row, |times| Some(times.displacement_ms)),
     ),

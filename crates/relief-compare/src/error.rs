@@ -40,7 +40,8 @@ pub enum CompareError {
     NoExactHits(String),
     /// The comparison needs too much memory.
     #[error(
-        "rays and pictures need {} MiB of memory, but {limit} are allowed: compare fewer or smaller ones, or raise the limit",
+        "rays and pictures need {} MiB of memory, but {limit} are allowed: compare fewer or smaller ones, or \
+         raise the limit",
         needed.div_ceil(1 << 20)
     )]
     TooMuchMemory {
@@ -66,7 +67,8 @@ pub enum CompareError {
     },
     /// Distances were given for an orthographic camera, whose picture does not depend on them.
     #[error(
-        "an orthographic picture is the same from every distance: compare without distances, or use a perspective camera"
+        "an orthographic picture is the same from every distance: compare without distances, or use a \
+         perspective camera"
     )]
     Orthographic,
     /// A method does not allow such settings.

@@ -22,8 +22,8 @@ use crate::run::subject::with_selections;
 
 /// Exact hits at the centres of a picture's pixels.
 ///
-/// On a flat mesh they are the hits of the method `exact` on the CPU. On others they are those that
-/// the exact tracer of displaced meshes finds. They [judge](Judge) the hits of pictures of the same scene by other
+/// On a flat mesh they are the hits of the method `exact` on the CPU. On others they are those that the exact
+/// tracer of displaced meshes finds. They [judge](Judge) the hits of pictures of the same scene by other
 /// methods, of the same size.
 ///
 /// ```
@@ -152,8 +152,8 @@ impl ExactHits {
         }
     }
 
-    /// Returns 1 where a ray has passed the exact hit: it misses it, or its own hit lies more than half a texel
-    /// behind. Elsewhere 0, and [`NO_SURFACE`] where both miss.
+    /// Returns 1 where a ray has passed the exact hit: it misses it, or its own hit lies more than half a
+    /// texel behind. Elsewhere 0, and [`NO_SURFACE`] where both miss.
     fn passed(&self, number: usize, pixel: &PixelOut) -> f32 {
         let (hit, exact) = (hit_of(pixel), self.hit(number));
         let is_passed = match exact {

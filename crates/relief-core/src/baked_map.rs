@@ -112,7 +112,8 @@ impl MapLayout {
 pub enum MapLayoutError {
     /// No map has that shape.
     #[error(
-        "no map has {} x {} texels of {} channels in {} layers and {} levels: channels are 1, 2 or 4, layers at most {MAX_LAYERS}",
+        "no map has {} x {} texels of {} channels in {} layers and {} levels: channels are 1, 2 or 4, layers \
+         at most {MAX_LAYERS}",
         .0.size[0], .0.size[1], .0.channels, .0.layers, .0.levels
     )]
     Impossible(MapLayout),

@@ -79,7 +79,8 @@ pub enum HeightMapError {
     },
     /// A side or the number of texels is above [`MAX_SIDE`] or [`MAX_TEXELS`].
     #[error(
-        "a height map of {width}x{height} is too large: at most {MAX_SIDE} texels a side and {MAX_TEXELS} in all"
+        "a height map of {width}x{height} is too large: at most {MAX_SIDE} texels a side and {MAX_TEXELS} in \
+         all"
     )]
     TooLarge {
         /// Width in texels.
@@ -96,7 +97,10 @@ pub enum HeightMapError {
         map: [u32; 2],
     },
     /// The number of texels is not width times height.
-    #[error("a height map of {width}x{height} needs {} texels, {given} were given", u64::from(*width) * u64::from(*height))]
+    #[error(
+        "a height map of {width}x{height} needs {} texels, {given} were given",
+        u64::from(*width) * u64::from(*height)
+    )]
     WrongLength {
         /// Width in texels.
         width: u32,

@@ -34,8 +34,8 @@ pub enum MotifTreeError {
     Far(usize),
     /// There are too many triangles in a tile.
     #[error(
-        "the motif has more than {MOST_IN_A_TILE} triangles in a tile, with those that reach in from tiles beside it: \
-            give a simpler one"
+        "the motif has more than {MOST_IN_A_TILE} triangles in a tile, with those that reach in from tiles \
+            beside it: give a simpler one"
     )]
     TooMany,
 }

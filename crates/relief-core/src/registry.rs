@@ -208,7 +208,11 @@ impl Guarantees {
 
 /// The name is unknown. The error holds the nearest known name.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("unknown {kind} '{name}'{}; known: {}", nearest.as_ref().map(|n| format!(": did you mean '{n}'?")).unwrap_or_default(), listed(known))]
+#[error(
+    "unknown {kind} '{name}'{}; known: {}",
+    nearest.as_ref().map(|n| format!(": did you mean '{n}'?")).unwrap_or_default(),
+    listed(known)
+)]
 pub struct UnknownName {
     /// Kind of the name: "search", "method" and so on.
     pub kind: &'static str,

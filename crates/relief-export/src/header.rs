@@ -72,7 +72,8 @@ fn drawn(draw: &Draw) -> String {
     let blended = match *blend {
         "none" => "",
         _ => {
-            "// Colours are premultiplied by their alpha: they are added to what is behind, times 1 - alpha.\n\
+            "// Colours are premultiplied by their alpha: they are added to what is behind, times 1 - \
+             alpha.\n\
              // Draw the triangles from the farthest to the nearest, behind what is opaque, and test depths\n\
              // without writing them.\n"
         }

@@ -213,8 +213,8 @@ impl std::fmt::Display for Doubt {
                 let [deepest, highest] = GROUND_M;
                 write!(
                     f,
-                    "its heights would go from {least} m to {greatest} m, but ground lies from {deepest} m to \
-                     {highest} m"
+                    "its heights would go from {least} m to {greatest} m, but ground lies from {deepest} m \
+                     to {highest} m"
                 )
             }
             Doubt::Relief { relief_m, ground_m } => write!(

@@ -60,7 +60,8 @@ pub enum ReadProblem {
     Map(#[from] HeightMapError),
     /// Reading would take more memory than allowed.
     #[error(
-        "{width}x{height} texels need {} MiB of memory, but {} MiB are allowed: make the file smaller or raise the limit",
+        "{width}x{height} texels need {} MiB of memory, but {} MiB are allowed: make the file smaller or \
+         raise the limit",
         needed.div_ceil(1 << 20),
         limit >> 20
     )]
@@ -76,7 +77,8 @@ pub enum ReadProblem {
     },
     /// Reading a volume would take more memory than allowed.
     #[error(
-        "{}x{}x{} voxels need {} MiB of memory, but {} MiB are allowed: make the volume smaller or raise the limit",
+        "{}x{}x{} voxels need {} MiB of memory, but {} MiB are allowed: make the volume smaller or raise the \
+         limit",
         size[0], size[1], size[2],
         needed.div_ceil(1 << 20),
         limit >> 20
@@ -155,7 +157,8 @@ pub enum ReadProblem {
     },
     /// Some texels have no value.
     #[error(
-        "{} of its texels have no value ({not_finite} NaN or infinite, {nodata} marked as nodata, {masked} masked), the first at ({column}, {row}): fill them from their surroundings",
+        "{} of its texels have no value ({not_finite} NaN or infinite, {nodata} marked as nodata, {masked} \
+         masked), the first at ({column}, {row}): fill them from their surroundings",
         not_finite + nodata + masked
     )]
     Holes {
@@ -210,7 +213,13 @@ pub enum ReadProblem {
     #[error("holds no texel with a finite value: check its nodata value and mask, or export it again")]
     AllHoles,
     /// Values lie outside the range given.
-    #[error("its values go from {} to {}, outside the range {} to {}: widen the range", actual[0], actual[1], range[0], range[1])]
+    #[error(
+        "its values go from {} to {}, outside the range {} to {}: widen the range",
+        actual[0],
+        actual[1],
+        range[0],
+        range[1]
+    )]
     OutsideRange {
         /// The range given.
         range: [f64; 2],
@@ -257,13 +266,22 @@ pub enum ReadProblem {
         problem: Box<ColorTableProblem>,
     },
     /// The range given is not a valid range.
-    #[error("the range {} to {} is not usable: both ends must be finite, the first below the second (for maps of depth use the depth convention)", range[0], range[1])]
+    #[error(
+        "the range {} to {} is not usable: both ends must be finite, the first below the second (for maps of \
+         depth use the depth convention)",
+        range[0],
+        range[1]
+    )]
     BadRange {
         /// The range given.
         range: [f64; 2],
     },
     /// The elevations given are not valid.
-    #[error("the elevations {} to {} are not usable: both must be finite, the first below the second", range[0], range[1])]
+    #[error(
+        "the elevations {} to {} are not usable: both must be finite, the first below the second",
+        range[0],
+        range[1]
+    )]
     BadElevations {
         /// Elevations of heights 0 and 1, in metres.
         range: [f64; 2],
@@ -303,7 +321,8 @@ pub enum WriteProblem {
     Io(#[from] io::Error),
     /// The finished file could not be renamed to its final name.
     #[error(
-        "the finished file could not be moved to its name ({0}): check that it is not a folder and not write-protected"
+        "the finished file could not be moved to its name ({0}): check that it is not a folder and not \
+         write-protected"
     )]
     Rename(#[source] io::Error),
     /// The path ends in no file name.

@@ -138,8 +138,8 @@ fn near(samples: &mut Samples, declared: f64, sample: SampleType) -> Option<Rema
     let values = if least == greatest { least } else { format!("{least} to {greatest}") };
     let declared = number(declared, sample);
     let text = format!(
-        "{count} texels have {values}, which is the nodata value {declared} after lossy compression: they are \
-         read as holes"
+        "{count} texels have {values}, which is the nodata value {declared} after lossy compression: they \
+         are read as holes"
     );
     Some(Remark::new(&NEAR_NODATA, text))
 }
@@ -286,15 +286,16 @@ fn range(
     if let Some(full) = taken.filter(|full| used < NARROW * full) {
         let percent = (1000.0 * used / full).round() / 10.0;
         let text = format!(
-            "its values go from {low} to {high}, {percent} % of 0 to {full}, so that the relief is hardly seen"
+            "its values go from {low} to {high}, {percent} % of 0 to {full}, so that the relief is hardly \
+             seen"
         );
         return Some(Remark::new(&NARROW_RANGE, text).with_mend(format!("{low},{high}")));
     }
     let is_fraction = sample.kind == SampleKind::Float && !is_elevation && least >= 0.0 && greatest <= 1.0;
     (taken.is_none() && is_fraction && used < NEARLY_ALL).then(|| {
         let text = format!(
-            "heights 0 and 1 are its least and greatest value, {low} and {high}; in a file of integers they would \
-             be the ends of the type"
+            "heights 0 and 1 are its least and greatest value, {low} and {high}; in a file of integers they \
+             would be the ends of the type"
         );
         Remark::new(&FITTED_RANGE, text).with_mend("0,1")
     })

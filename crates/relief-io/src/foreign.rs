@@ -58,11 +58,12 @@ impl fmt::Display for ForeignFormat {
                  tifffile.imwrite(\"out.tif\", archive[\"NAME\"].astype(\"float32\"))",
             ),
             Self::ArcGrid => f.write_str(
-                "is an Arc ASCII grid: convert it, for instance with gdal_translate -ot Float32 in.asc out.tif",
+                "is an Arc ASCII grid: convert it, for instance with gdal_translate -ot Float32 in.asc \
+                 out.tif",
             ),
             Self::Ktx2 => f.write_str(
-                "is a KTX2 texture, which holds a volume or a baked map, not heights: take the file that it was \
-                 made from",
+                "is a KTX2 texture, which holds a volume or a baked map, not heights: take the file that it \
+                 was made from",
             ),
             Self::Srtm { side } => write!(
                 f,

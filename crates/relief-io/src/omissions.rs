@@ -25,7 +25,8 @@ macro_rules! omissions {
     ($($row:ident: $name:literal, $reader:literal, $case:literal, $treatment:literal;)*) => {
         $(
             #[doc = concat!("Note on ", $reader, ": ", $case, ". Treatment: ", $treatment, ".")]
-            pub const $row: Omission = Omission { name: $name, reader: $reader, case: $case, treatment: $treatment };
+            pub const $row: Omission =
+                Omission { name: $name, reader: $reader, case: $case, treatment: $treatment };
         )*
 
         /// All rows.

@@ -120,11 +120,16 @@ pub enum MotifProblem {
     HeightMap,
     /// A normal map in place of a vector displacement map.
     #[error(
-        "all of its vectors have length 1, so it is a normal map: `relief height from-normals` makes heights of it"
+        "all of its vectors have length 1, so it is a normal map: `relief height from-normals` makes heights \
+         of it"
     )]
     NormalMap,
     /// The sheet of a map is too large.
-    #[error("a sheet of {width} x {height} texels needs {}, more than {}", ByteSize(*needed), ByteSize(*limit))]
+    #[error(
+        "a sheet of {width} x {height} texels needs {}, more than {}",
+        ByteSize(*needed),
+        ByteSize(*limit)
+    )]
     Memory {
         /// Width in texels.
         width: u32,

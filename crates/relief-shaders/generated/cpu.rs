@@ -1025,7 +1025,8 @@ pub struct PathAxes {
     pub turn: f32,
     pub elevation: f32,
     pub bend: f32,
-    /// The parameter at height 1, not above 0, and its change on the whole way to height 0, or back to height 1.
+    /// The parameter at height 1, not above 0, and its change on the whole way to
+    /// height 0, or back to height 1.
     pub start: f32,
     pub whole: f32,
     /// The part F of the way per unit of t: the height's fall at the top.
@@ -1770,7 +1771,8 @@ impl Voxel {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// The values at the corners of a dual cell, in the order of `height_cell`: in the lower and in the upper slice.
+/// The values at the corners of a dual cell, in the order of `height_cell`: in the
+/// lower and in the upper slice.
 pub struct VoxelCell {
     pub low: rt::Vec4<f32>,
     pub high: rt::Vec4<f32>,

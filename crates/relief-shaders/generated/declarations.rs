@@ -158,8 +158,8 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/path_axes", head: r#"// Axes of view-dependent maps: azimuth, elevation and bend of a path, from where it comes in at the top.
 //
-// A path that comes in at height 1 has the height 1 - F + β F² at the part F of the way after which a straight path of
-// the same slope is at height 0. relief-bake's module `view_dependent` has the same axes.
+// A path that comes in at height 1 has the height 1 - F + β F² at the part F of the way after which a
+// straight path of the same slope is at height 0. relief-bake's module `view_dependent` has the same axes.
 "# },
     Module { path: "shared/pixel", head: r#"// A pixel as one pure function: surface, search, refinement and shading in a row.
 "# },
@@ -264,8 +264,8 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/voxel_walk", head: r#"// Walks over the dual cells of a volume along a path, in order.
 //
-// In a cell the field is linear along each axis. So along a path, whose height may bend, it is a polynomial of
-// degree 4, and its first root is found in the cell.
+// In a cell the field is linear along each axis. So along a path, whose height may bend, it is a polynomial
+// of degree 4, and its first root is found in the cell.
 "# },
     Module { path: "surface/facets", head: r#"// Triangles without relief: a ray ends on the triangle that it meets.
 //
@@ -377,8 +377,8 @@ pub const MODULES: &[Module] = &[
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 5.2; Porumbescu, Budge, Feng and Joy 2005.
 "# },
-    Module { path: "field/volume", head: r#"// A volume: what is solid is where the trilinear field between the voxels is half or more. The gap is what the
-// field lacks there, positive outside.
+    Module { path: "field/volume", head: r#"// A volume: what is solid is where the trilinear field between the voxels is half or more. The gap is what
+// the field lacks there, positive outside.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 5.2.
 "# },
@@ -451,10 +451,10 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "search/generalised", head: r#"// The distance to the solid of a volume by place and direction, baked: a generalised displacement map.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 6.3, after Wang and others 2004. One look-up says how far the ray goes
-// before it hits, wherever it begins. The map is relief-bake's kind `generalised`, a layer a direction. `params.x` is
-// the most look-ups, `params.y` and `params.z` are the azimuths and elevations of the map, and `params.w` is the way
-// in voxels up to which it looks.
+// Szirmay-Kalos and Umenhoffer 2008, section 6.3, after Wang and others 2004. One look-up says how far the
+// ray goes before it hits, wherever it begins. The map is relief-bake's kind `generalised`, a layer a
+// direction. `params.x` is the most look-ups, `params.y` and `params.z` are the azimuths and elevations of
+// the map, and `params.w` is the way in voxels up to which it looks.
 "# },
     Module { path: "search/linear", head: r#"// Linear search: equal steps from the entry to the exit until one is below the surface.
 //
@@ -523,10 +523,10 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "search/view_dependent", head: r#"// The first hit by place, azimuth, elevation and bend, baked: a view-dependent displacement map.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 6.3, after Wang and others 2003. One look-up gives the hit of a ray that
-// comes in at the top. A path that begins lower is looked up where it would have come in. The map is relief-bake's kind
-// `view-dependent`, a layer a direction. `params.x`, `params.y` and `params.z` are its azimuths, elevations and bends,
-// and `params.w` is its depth.
+// Szirmay-Kalos and Umenhoffer 2008, section 6.3, after Wang and others 2003. One look-up gives the hit of a
+// ray that comes in at the top. A path that begins lower is looked up where it would have come in. The map is
+// relief-bake's kind `view-dependent`, a layer a direction. `params.x`, `params.y` and `params.z` are its
+// azimuths, elevations and bends, and `params.w` is its depth.
 "# },
     Module { path: "search/view_dependent_clusters", head: r#"// The first hit of paths by place, azimuth, elevation and bend, out of non-negative factors of groups of
 // texels.
@@ -536,13 +536,14 @@ pub const MODULES: &[Module] = &[
 // kind `view-dependent` with a rank and clusters. `params.x`, `params.y` and `params.z` are its azimuths,
 // elevations and bends, and `params.w` is its depth.
 "# },
-    Module { path: "search/view_dependent_free", head: r#"// Over the way on which all rays are free that come in over the same texel in nearly the same direction, by one read.
+    Module { path: "search/view_dependent_free", head: r#"// Over the way on which all rays are free that come in over the same texel in nearly the
+// same direction, by one read.
 //
-// Published here first. The map is relief-bake's kind `view-dependent-free`, whose head has the proof; a layer is a
-// direction. Its ways are shorter than the free ones by more than rounding may add. Paths that do not come in at the
-// top, that bend where the map holds straight paths alone, or that come in so near to the side of a texel's square that
-// rounding may take the other one, do not use the map. `params.x`, `params.y` and `params.z` are its azimuths,
-// elevations and bends, and `params.w` is its depth.
+// Published here first. The map is relief-bake's kind `view-dependent-free`, whose head has the proof; a
+// layer is a direction. Its ways are shorter than the free ones by more than rounding may add. Paths that do
+// not come in at the top, that bend where the map holds straight paths alone, or that come in so near to the
+// side of a texel's square that rounding may take the other one, do not use the map. `params.x`, `params.y`
+// and `params.z` are its azimuths, elevations and bends, and `params.w` is its depth.
 "# },
     Module { path: "search/view_dependent_svd", head: r#"// The first hit of paths by place, azimuth, elevation and bend, out of factors by a singular value
 // decomposition.
@@ -553,9 +554,9 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "search/voxels", head: r#"// The dual cells of a volume along the path, in order, but for the empty ones that the baked distances skip.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 5.2: the ray walks through the voxels of a volume on the surface.
-// Cohen and Sheffer 1994: a cell stores how many cells around it are empty, and the ray leaves their box in one
-// step. The map is relief-bake's kind `volume-distance`. `params.x` is the most cells.
+// Szirmay-Kalos and Umenhoffer 2008, section 5.2: the ray walks through the voxels of a volume on the
+// surface. Cohen and Sheffer 1994: a cell stores how many cells around it are empty, and the ray leaves their
+// box in one step. The map is relief-bake's kind `volume-distance`. `params.x` is the most cells.
 "# },
     Module { path: "refine/binary", head: r#"// Binary search: the interval is halved; its near end stays above the surface and its far end
 // below.
@@ -608,8 +609,8 @@ pub const MODULES: &[Module] = &[
 // Szirmay-Kalos and Umenhoffer 2008, section 4.2.1. `params.x` is the number of corrections. With
 // `params.y` 1 each is divided by N·V, which makes it Newton's method.
 "# },
-    Module { path: "refine/trilinear", head: r#"// The first root of the trilinear field along the path in the search's interval, cell by cell. `params.x` is the
-// most cells.
+    Module { path: "refine/trilinear", head: r#"// The first root of the trilinear field along the path in the search's interval, cell by cell.
+// `params.x` is the most cells.
 "# },
     Module { path: "refine/true_secant", head: r#"// The secant method proper: always the last two guesses, whether or not they enclose the crossing.
 //
@@ -2550,7 +2551,8 @@ fn dice_triangle(rows: DiceRows, number: u32) -> DiceTriangle {
     let row = dice_row_of_triangle(rows, number);
     let above = dice_row_parts(rows, row - 1u);
     let below = dice_row_parts(rows, row);
-    let is_shared = row > 1u && dice_share(rows, row - 1u, rows.parts.x) == dice_share(rows, row, rows.parts.x);
+    let is_shared = row > 1u
+        && dice_share(rows, row - 1u, rows.parts.x) == dice_share(rows, row, rows.parts.x);
     let step = number - dice_triangles_before(rows, row - 1u) + select(0u, 1u, is_shared);
     let j = dice_steps_below(above, below, step);
     let i = step - j;
@@ -3615,8 +3617,8 @@ const CELL_LIMIT = 1073741824.0;"#,
         name: "continued_index",
         sampling: None,
         uses: &["WRAP_CLAMP", "WRAP_REPEAT", "unfolded"],
-        text: r#"// The texel that stands for index i in a row of n that this wrap continues. Shaders hold this text and the next
-// many times over, and a division is long: there is one in each.
+        text: r#"// The texel that stands for index i in a row of n that this wrap continues. Shaders hold this text and the
+// next many times over, and a division is long: there is one in each.
 fn continued_index(i: i32, n: i32, wrap: u32) -> i32 {
     if (wrap == WRAP_CLAMP) {
         return clamp(i, 0, n - 1);
@@ -4069,8 +4071,8 @@ fn normal_between(at: Around, layer: i32, level: u32) -> vec4f {
         name: "normal_at",
         sampling: Some(Sampling::Exact),
         uses: &["level_texels", "normal_between", "surface_settings", "texels_around"],
-        text: r#"// The first layer of a level of the normal map at texture coordinates. It begins with a vector in tangent space,
-// +Y along -B, not normalised.
+        text: r#"// The first layer of a level of the normal map at texture coordinates. It begins with a vector in tangent
+// space, +Y along -B, not normalised.
 fn normal_at(uv: vec2f, level: u32) -> vec4f {
     return normal_between(texels_around(uv, level_texels(surface_settings.normal_size, level)), 0, level);
 }"#,
@@ -4122,8 +4124,8 @@ struct NormalLayers {
         name: "hemisphere_grade",
         sampling: None,
         uses: &[],
-        text: r#"// The light on a plane with a normal, under a sky of radiance 1 above ground of radiance `ground`. It is linear
-// in the normal: a mean of normals, shorter than 1, gets the mean of their light.
+        text: r#"// The light on a plane with a normal, under a sky of radiance 1 above ground of radiance `ground`. It is
+// linear in the normal: a mean of normals, shorter than 1, gets the mean of their light.
 fn hemisphere_grade(normal: vec3f, ground: f32) -> f32 {
     return ground + (1.0 - ground) * (0.5 + 0.5 * normal.y);
 }"#,
@@ -4276,7 +4278,8 @@ fn cell_of_mask(cell: vec2i, level: u32) -> vec4f {
         text: r#"// Whether the search left an interval that can be narrowed; if not, its one point is the hit.
 fn has_interval(found: SearchResult) -> bool {
     return found.far > found.near
-        && (found.status == FOUND_BRACKET || found.status == FOUND_UNBRACKETED || found.status == FOUND_ABOVE);
+        && (found.status == FOUND_BRACKET || found.status == FOUND_UNBRACKETED
+            || found.status == FOUND_ABOVE);
 }"#,
     },
     Declaration {
@@ -6281,7 +6284,8 @@ struct PathAxes {
     turn: f32,
     elevation: f32,
     bend: f32,
-    // The parameter at height 1, not above 0, and its change on the whole way to height 0, or back to height 1.
+    // The parameter at height 1, not above 0, and its change on the whole way to
+    // height 0, or back to height 1.
     start: f32,
     whole: f32,
     // The part F of the way per unit of t: the height's fall at the top.
@@ -6293,8 +6297,8 @@ struct PathAxes {
         name: "path_axes",
         sampling: None,
         uses: &["Path", "PathAxes", "TOUCHING_BEND", "turn_of", "upright"],
-        text: r#"// The axes of a path, of a map for that depth of a relief as a part of a tile's side. Where the place at the top lies in
-// a mirrored image of the map, the azimuth is the mirrored path's.
+        text: r#"// The axes of a path, of a map for that depth of a relief as a part of a tile's side. Where the place at the
+// top lies in a mirrored image of the map, the azimuth is the mirrored path's.
 fn path_axes(path: Path, depth: f32) -> PathAxes {
     let below = path.h.x - 1.0;
     var start = 0.0;
@@ -6354,8 +6358,8 @@ fn step_of_axis(place: f32, count: f32) -> f32 {
         name: "longest_of_step",
         sampling: None,
         uses: &[],
-        text: r#"// The longest whole way F of paths whose bend lies in a step of that axis of `count` steps, as the map of free ways
-// has it.
+        text: r#"// The longest whole way F of paths whose bend lies in a step of that axis of `count` steps, as
+// the map of free ways has it.
 fn longest_of_step(bend: f32, count: f32) -> f32 {
     if (count == 1.0) {
         return 1.0;
@@ -7774,7 +7778,9 @@ fn seen_texel(at: Around, azimuth: i32, elevation: i32, level: u32) -> SeenTexel
 fn seen_in_levels(at: SeenPlace, azimuth: i32, elevation: i32) -> SeenTexel {
     let fine = seen_texel(at.fine, azimuth, elevation, at.levels.fine);
     if (at.levels.part > 0.0) {
-        return seen_between(fine, seen_texel(at.coarse, azimuth, elevation, at.levels.fine + 1u), at.levels.part);
+        return seen_between(
+            fine, seen_texel(at.coarse, azimuth, elevation, at.levels.fine + 1u), at.levels.part
+        );
     }
     return fine;
 }"#,
@@ -11108,8 +11114,8 @@ const SURFACE_VALUE = 0.5;"#,
         name: "SLOPE_VOXELS",
         sampling: None,
         uses: &[],
-        text: r#"// Voxels between the places whose values give a slope. Smaller, and every cell has a facet of its own; larger,
-// and threads lose their roundness.
+        text: r#"// Voxels between the places whose values give a slope. Smaller, and every cell has a facet of its own;
+// larger, and threads lose their roundness.
 const SLOPE_VOXELS = 0.5;"#,
     },
     Declaration {
@@ -11135,7 +11141,8 @@ const OUTSIDE_VOXELS = 0.125;"#,
         name: "VoxelCell",
         sampling: None,
         uses: &[],
-        text: r#"// The values at the corners of a dual cell, in the order of `height_cell`: in the lower and in the upper slice.
+        text: r#"// The values at the corners of a dual cell, in the order of `height_cell`: in the
+// lower and in the upper slice.
 struct VoxelCell {
     low: vec4f,
     high: vec4f,
@@ -12576,7 +12583,9 @@ fn across_span(at: Entered, ray: Across, eye: f32) -> vec2f {
         text: r#"fn surface_quadric_perpendicular_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
     let along = length(pixel.direction);
     let distance = plane_distance(pixel, plane_normal(pixel)) * along;
-    return surface_quadric_perpendicular_way(at, pixel.direction / along, distance, 0.0 - distance, k, params);
+    return surface_quadric_perpendicular_way(
+        at, pixel.direction / along, distance, 0.0 - distance, k, params
+    );
 }"#,
     },
     Declaration {
@@ -13999,7 +14008,9 @@ fn bracket_between(path: Path, near: f32, far: f32, cost: vec3u) -> SearchResult
     if (near == 0.0 && gap < 0.0) {
         return SearchResult(FOUND_STARTED_BELOW, 0.0, 0.0, gap, gap, cost + HEIGHTS_READ);
     }
-    return SearchResult(FOUND_BRACKET, near, far, gap, path_gap(path, far), cost + HEIGHTS_READ + HEIGHTS_READ);
+    return SearchResult(
+        FOUND_BRACKET, near, far, gap, path_gap(path, far), cost + HEIGHTS_READ + HEIGHTS_READ
+    );
 }"#,
     },
     Declaration {
@@ -14191,8 +14202,8 @@ const CLEAR_PART = 0.998;"#,
         name: "BEFORE_HIT",
         sampling: None,
         uses: &[],
-        text: r#"// Voxels by which the point that is returned lies before the hit of the map. Fewer, and the surface throws shadows on
-// itself; more, and it becomes thicker.
+        text: r#"// Voxels by which the point that is returned lies before the hit of the map. Fewer, and the surface throws
+// shadows on itself; more, and it becomes thicker.
 const BEFORE_HIT = 0.5;"#,
     },
     Declaration {
@@ -14250,8 +14261,9 @@ struct WayToSolid {
         name: "way_to_solid",
         sampling: None,
         uses: &["CLEAR_PART", "Path", "WayToSolid", "search_texel", "slice_begin", "turn_of", "volume_size", "wrap_pair"],
-        text: r#"// The way to the solid from a place in voxels, between the eight voxels and the four directions around. A way that
-// ends nowhere is no number to be mixed with others: the greater part of the weights decides whether there is a hit.
+        text: r#"// The way to the solid from a place in voxels, between the eight voxels and the four directions
+// around. A way that ends nowhere is no number to be mixed with others: the greater part of the
+// weights decides whether there is a hit.
 fn way_to_solid(path: Path, place: vec3f, direction: vec3f, params: vec4f) -> WayToSolid {
     let last = volume_size().z - 1.0;
     let inside = vec3f(place.xy, clamp(place.z, 0.0, last));
@@ -14873,8 +14885,8 @@ const NOTHING_HIT = 0.998;"#,
         name: "ways_of_bend",
         sampling: None,
         uses: &["Around", "Path", "bilinear", "height_texels", "row_of_bend", "ways_of_texel"],
-        text: r#"// Ways at a place for a layer and the next, each with the weight of its texels that are hits. Where nothing is hit both
-// are 0.
+        text: r#"// Ways at a place for a layer and the next, each with the weight of its texels that are hits. Where
+// nothing is hit both are 0.
 fn ways_of_bend(path: Path, around: Around, layer: i32, bend: f32) -> vec4f {
     let rows = height_texels(path.level).y;
     let first = row_of_bend(around.rows.x, bend, rows);
@@ -16604,9 +16616,9 @@ fn relief_tile(position: vec3f, uv: vec2f) -> vec2f {
         sampling: None,
         uses: &[],
         text: r#"// The curvature of a mesh, for `ReliefPoint`, from its position, its normal and its texture coordinates. A
-// normal that is interpolated over a triangle, and not brought to the length 1 again, gives the mean curvature
-// of the triangle. Unit normals do where the triangle is seen from its face; from its edge they bend from a
-// pixel to the next. For fragment functions alone.
+// normal that is interpolated over a triangle, and not brought to the length 1 again, gives the mean
+// curvature of the triangle. Unit normals do where the triangle is seen from its face; from its edge they
+// bend from a pixel to the next. For fragment functions alone.
 fn relief_curvature(position: vec3f, normal: vec3f, uv: vec2f) -> vec3f {
     let du = vec2f(dpdx(uv.x), dpdy(uv.x));
     let dv = vec2f(dpdx(uv.y), dpdy(uv.y));

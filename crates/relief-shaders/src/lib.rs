@@ -1,9 +1,9 @@
 //! Per-pixel displacement mapping as shaders: stages, each variant written once in WESL, linked to plain WGSL
 //! for GPUs and translated to Rust for CPUs.
 //!
-//! * [`STAGES`] is the table of the stages; [`geometry`], [`surface`], [`field`], [`detail`], [`search`], [`refine`],
-//!   [`shade`], [`shadow`], [`ambient`], [`mod@slice`] and [`object`] list their variants, one file each
-//!   beside its shader.
+//! * [`STAGES`] is the table of the stages; [`geometry`], [`surface`], [`field`], [`detail`], [`search`],
+//!   [`refine`], [`shade`], [`shadow`], [`ambient`], [`mod@slice`] and [`object`] list their variants, one
+//!   file each beside its shader.
 //! * [`METHODS`] names pairs of search and refinement; [`procedure`] has formulas that fill height maps.
 //! * [`wgsl`] assembles shaders as text for any engine; [`bindings`] says what they bind.
 //! * `cpu` (with the feature of that name) is the same shaders as Rust.

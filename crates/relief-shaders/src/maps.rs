@@ -61,7 +61,10 @@ pub enum MapProblem {
         wanted: Metric,
     },
     /// The map was baked with another setting.
-    #[error("the one given was baked with {name} = {}; it must be {wanted}", given.map_or("none".to_owned(), |given| given.to_string()))]
+    #[error(
+        "the one given was baked with {name} = {}; it must be {wanted}",
+        given.map_or("none".to_owned(), |given| given.to_string())
+    )]
     Setting {
         /// The name of the setting.
         name: &'static str,

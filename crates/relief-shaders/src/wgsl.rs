@@ -102,8 +102,9 @@ impl FromStr for Sampling {
 /// The purpose of an assembled shader, with the names of its entry points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Root {
-    /// Only functions, for a program with its own entry points, in tangent space: `relief_hit`, `relief_light`,
-    /// `relief_tile`, `relief_curvature`. Of surfaces whose rays go through the frame of a base point.
+    /// Only functions, for a program with its own entry points, in tangent space:
+    /// `relief_hit`, `relief_light`, `relief_tile`, `relief_curvature`. Of surfaces whose rays
+    /// go through the frame of a base point.
     Functions,
     /// The same over a triangle and the space above it: `relief_triangle_hit`, `relief_triangle_light`.
     TriangleFunctions,
@@ -413,7 +414,8 @@ fn called(place: usize, stage: &Stage, call: &Call, choice: &Choice) -> String {
     let declared: Vec<String> = call.inputs.iter().map(|(name, kind)| format!("{name}: {kind}")).collect();
     let passed: Vec<&str> = call.inputs.iter().map(|(name, _)| *name).collect();
     format!(
-        "\n// The chosen {}: {}.\nfn {}({}) -> {} {{\n    return {}({}, surface_settings.choices[{place}].params);\n}}\n",
+        "\n// The chosen {}: {}.\nfn {}({}) -> {} {{\n    \
+         return {}({}, surface_settings.choices[{place}].params);\n}}\n",
         stage.title,
         choice.entry.summary,
         stage.function(call),

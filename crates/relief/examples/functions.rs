@@ -29,7 +29,8 @@ fn corner(@builtin(vertex_index) number: u32) -> Seen {
     // A camera that looks at the origin, 45 degrees wide.
     let back = normalize(EYE);
     let right = vec3f(1.0, 0.0, 0.0);
-    let at = vec3f(dot(position - EYE, right), dot(position - EYE, cross(back, right)), dot(position - EYE, back));
+    let way = position - EYE;
+    let at = vec3f(dot(way, right), dot(way, cross(back, right)), dot(way, back));
     return Seen(vec4f(at.xy * 2.4, 0.5, -at.z), position);
 }
 

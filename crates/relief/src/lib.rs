@@ -27,62 +27,102 @@
 //!
 //! # Load and inspect
 //!
-#![cfg_attr(all(feature = "io", not(doctest)), doc = concat!("```\n", include_str!("../examples/inspect.rs"), "```"))]
+#![cfg_attr(
+    all(feature = "io", not(doctest)),
+    doc = concat!("```\n", include_str!("../examples/inspect.rs"), "```")
+)]
 //!
 //! # Render a scene to a PNG
 //!
-#![cfg_attr(all(feature = "render", not(doctest)), doc = concat!("```\n", include_str!("../examples/render.rs"), "```"))]
+#![cfg_attr(
+    all(feature = "render", not(doctest)),
+    doc = concat!("```\n", include_str!("../examples/render.rs"), "```")
+)]
 //!
 //! # Render a volume on a mesh
 //!
-#![cfg_attr(all(feature = "render", not(doctest)), doc = concat!("```\n", include_str!("../examples/volume.rs"), "```"))]
+#![cfg_attr(
+    all(feature = "render", not(doctest)),
+    doc = concat!("```\n", include_str!("../examples/volume.rs"), "```")
+)]
 //!
 //! # Bake the maps of a material
 //!
-#![cfg_attr(all(feature = "bake", feature = "io", not(doctest)), doc = concat!("```\n", include_str!("../examples/material.rs"), "```"))]
+#![cfg_attr(
+    all(feature = "bake", feature = "io", not(doctest)),
+    doc = concat!("```\n", include_str!("../examples/material.rs"), "```")
+)]
 //!
 //! # Compare methods
 //!
-#![cfg_attr(all(feature = "compare", not(doctest)), doc = concat!("```\n", include_str!("../examples/compare.rs"), "```"))]
+#![cfg_attr(
+    all(feature = "compare", not(doctest)),
+    doc = concat!("```\n", include_str!("../examples/compare.rs"), "```")
+)]
 //!
 //! # Bake a map to a file
 //!
-#![cfg_attr(all(feature = "bake", feature = "io", not(doctest)), doc = concat!("```\n", include_str!("../examples/bake.rs"), "```"))]
+#![cfg_attr(
+    all(feature = "bake", feature = "io", not(doctest)),
+    doc = concat!("```\n", include_str!("../examples/bake.rs"), "```")
+)]
 //!
 //! # Trace rays, exactly and by a method
 //!
-#![cfg_attr(all(feature = "maps", not(doctest)), doc = concat!("```\n", include_str!("../examples/rays.rs"), "```"))]
+#![cfg_attr(
+    all(feature = "maps", not(doctest)),
+    doc = concat!("```\n", include_str!("../examples/rays.rs"), "```")
+)]
 //!
 //! # Displace a mesh into a file
 //!
-#![cfg_attr(all(feature = "displace", feature = "io", not(doctest)), doc = concat!("```\n", include_str!("../examples/mesh.rs"), "```"))]
+#![cfg_attr(
+    all(feature = "displace", feature = "io", not(doctest)),
+    doc = concat!("```\n", include_str!("../examples/mesh.rs"), "```")
+)]
 //!
 //! # Find the difference between two meshes
 //!
-#![cfg_attr(all(feature = "bake", feature = "io", not(doctest)), doc = concat!("```\n", include_str!("../examples/between.rs"), "```"))]
+#![cfg_attr(
+    all(feature = "bake", feature = "io", not(doctest)),
+    doc = concat!("```\n", include_str!("../examples/between.rs"), "```")
+)]
 //!
 //! # Capture a mesh as images with depth
 //!
-#![cfg_attr(all(feature = "capture", not(doctest)), doc = concat!("```\n", include_str!("../examples/capture.rs"), "```"))]
+#![cfg_attr(
+    all(feature = "capture", not(doctest)),
+    doc = concat!("```\n", include_str!("../examples/capture.rs"), "```")
+)]
 //!
 //! # Render several surfaces and frames
 //!
-#![cfg_attr(all(feature = "render", not(doctest)), doc = concat!("```\n", include_str!("../examples/frames.rs"), "```"))]
+#![cfg_attr(
+    all(feature = "render", not(doctest)),
+    doc = concat!("```\n", include_str!("../examples/frames.rs"), "```")
+)]
 //!
 //! # Draw with a device of the program's own
 //!
-#![cfg_attr(all(feature = "gpu", not(doctest)), doc = concat!("```\n", include_str!("../examples/device.rs"), "```"))]
+#![cfg_attr(
+    all(feature = "gpu", not(doctest)),
+    doc = concat!("```\n", include_str!("../examples/device.rs"), "```")
+)]
 //!
 //! # Export a shader for another program
 //!
-#![cfg_attr(all(feature = "export", not(doctest)), doc = concat!("```\n", include_str!("../examples/export.rs"), "```"))]
+#![cfg_attr(
+    all(feature = "export", not(doctest)),
+    doc = concat!("```\n", include_str!("../examples/export.rs"), "```")
+)]
 //!
 //! # On the web
 //!
-//! Everything compiles for `wasm32-unknown-unknown`. Keep files in memory ([`io::Files`]), and baked maps, too.
-//! Draw on the CPU in one thread, with the same hits to the last bit, or on a GPU with the functions that are
-//! `async`. What panics there are the functions that wait for a GPU, [`Gpu::new`](render::gpu::Gpu::new),
-//! [`GpuRenderer::render`](render::gpu::GpuRenderer::render) and [`block_on`](render::gpu::block_on).
+//! Everything compiles for `wasm32-unknown-unknown`. Keep files in memory ([`io::Files`]), and baked maps,
+//! too. Draw on the CPU in one thread, with the same hits to the last bit, or on a GPU with the functions
+//! that are `async`. What panics there are the functions that wait for a GPU,
+//! [`Gpu::new`](render::gpu::Gpu::new), [`GpuRenderer::render`](render::gpu::GpuRenderer::render) and
+//! [`block_on`](render::gpu::block_on).
 
 pub use glam;
 #[doc(inline)]

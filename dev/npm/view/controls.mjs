@@ -69,7 +69,8 @@ export async function each_control_changes_the_scene_and_its_button_takes_it_awa
 
 const alert = (row) => row.$eval("[role=alert]", ({ textContent }) => textContent);
 const isInvalid = (row) => row.$eval("input.number", (input) => input.ariaInvalid);
-const shown = (row) => row.$$eval("input:not([type=range], [hidden])", (all) => all.map(({ value }) => value));
+const shown = (row) =>
+    row.$$eval("input:not([type=range], [hidden])", (all) => all.map(({ value }) => value));
 
 export async function a_refused_value_changes_nothing_says_why_and_stays_to_be_corrected(seat) {
     seat.mayFail = true;
@@ -243,7 +244,8 @@ export async function plain_words_find_controls(seat) {
 
 export async function a_tab_has_a_place_of_its_own(seat) {
     const scrolled = () => seat.page.$eval("#sheets", ({ scrollTop }) => Math.round(scrollTop));
-    const selected = () => seat.page.$eval("[role=tab][aria-selected=true]", ({ textContent }) => textContent);
+    const selected = () =>
+        seat.page.$eval("[role=tab][aria-selected=true]", ({ textContent }) => textContent);
     await seat.page.$$eval("details.group", (all) => all.forEach((group) => (group.open = true)));
     await seat.page.$eval("#sheets", (sheets) => (sheets.scrollTop = 400));
     const before = await scrolled();

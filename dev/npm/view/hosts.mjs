@@ -51,7 +51,8 @@ export async function a_host_that_goes_is_missed_and_found_again(seat) {
 
 export async function a_second_page_follows_the_first(seat) {
     seat.mayFail = true;
-    const other = new Seat(await seat.page.browserContext().newPage(), seat.program, seat.folder, seat.relief);
+    const page = await seat.page.browserContext().newPage();
+    const other = new Seat(page, seat.program, seat.folder, seat.relief);
     other.mayFail = true;
     await other.sit();
     await seat.page.bringToFront();

@@ -130,21 +130,23 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
         }
     }
     println!(
-        "Natural ground that tiles; relief {SCALE_M} of the tile; {} bits; medians of {} runs or more, of slow bakes one run.",
+        "Natural ground that tiles; relief {SCALE_M} of the tile; {} bits; medians of {} runs or more, of \
+         slow bakes one run.",
         if arguments.bits == 0 { "32".to_owned() } else { arguments.bits.to_string() },
         arguments.runs
     );
     println!("Every bake takes fresh memory from the system, as the first one of a program does.");
     println!(
-        "Processor time is that of the bake on one thread; memory is the peak of what is allocated, on two threads."
+        "Processor time is that of the bake on one thread; memory is the peak of what is allocated, on two \
+         threads."
     );
     for text in left_out {
         println!("{text}");
     }
     if arguments.brute > 0.0 {
         println!(
-            "Brute force is parallel and ends early where nothing farther can matter. It was run for the share of the texels \
-             that is shown and extrapolated from these."
+            "Brute force is parallel and ends early where nothing farther can matter. It was run for the \
+             share of the texels that is shown and extrapolated from these."
         );
     }
     println!("\n{times}\n");
@@ -153,8 +155,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     );
     if !at_texels.is_empty() {
         println!(
-            "\nCones beside a brute force that looks at texels only, not between them, which is quicker and less than the kind \
-             promises:\n\n{at_texels}"
+            "\n\
+             Cones beside a brute force that looks at texels only, not between them, which is quicker and \
+             less than the kind promises:\n\n{at_texels}"
         );
     }
     Ok(ExitCode::SUCCESS)
@@ -206,7 +209,8 @@ fn rows(
             let expected = 1e-3 * last.ms[0] * growth;
             if expected > arguments.limit {
                 left_out.push(format!(
-                    "{name} is left out from {side}² on: about {expected:.0} s on one thread, more than --limit {}.",
+                    "{name} is left out from {side}² on: about {expected:.0} s on one thread, more than \
+                     --limit {}.",
                     arguments.limit
                 ));
                 break;

@@ -1,5 +1,5 @@
-//! The fuzz targets over seeded changes of their corpora, for some minutes: panics, inputs that take long, and
-//! inputs that take much memory.
+//! The fuzz targets over seeded changes of their corpora, for some minutes: panics, inputs that take long,
+//! and inputs that take much memory.
 
 use std::fs::{self, File};
 use std::io::{Seek, SeekFrom, Write};

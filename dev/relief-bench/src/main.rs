@@ -105,7 +105,8 @@ enum Command {
     Lanes(lanes::Arguments),
     /// What is between filter levels and their map: volume, skylines, and seconds to make them
     Levels(levels::Arguments),
-    /// What is written for engines, read by three.js, OpenImageIO and pygltflib: fails where one reads it otherwise
+    /// What is written for engines, read by three.js, OpenImageIO and pygltflib: fails
+    /// where one reads it otherwise
     Loaders(loaders::Arguments),
     /// A sphere by roughness and metalness beside three.js: fails where a bound is missed
     Look(look::Arguments),
@@ -151,7 +152,8 @@ enum Command {
     View(view::Arguments),
     /// View-dependent maps of several sizes beside other methods: fails where a free way ends behind a hit
     ViewDependent(view_dependent::Arguments),
-    /// Rays through volumes beside the judge, and what each method over volumes costs: fails where `voxels` errs
+    /// Rays through volumes beside the judge, and what each method over volumes costs:
+    /// fails where `voxels` errs
     Volumes(volumes::Arguments),
 }
 

@@ -66,8 +66,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     }
     bar.finish_and_clear();
     println!(
-        "Probes of stored maps against the bilinear surface. Tightest is the least room that a probe found: of cones the widest \
-         safe ratio over the stored one, 1 or more; else how far the surface stayed inside, 0 or more but for rounding.\n\n{table}"
+        "Probes of stored maps against the bilinear surface. Tightest is the least room that a probe found: \
+         of cones the widest safe ratio over the stored one, 1 or more; else how far the surface stayed \
+         inside, 0 or more but for rounding.\n\n{table}"
     );
     for text in &broken {
         eprintln!("broken: {text}");

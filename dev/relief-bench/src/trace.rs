@@ -49,7 +49,10 @@ pub struct Arguments {
     #[arg(long, default_value_t = 0.12, value_parser = seconds)]
     turn: f64,
     /// Only these maps
-    #[arg(long, value_parser = clap::builder::PossibleValuesParser::new(SUBJECTS.iter().map(|subject| subject.name)))]
+    #[arg(
+        long,
+        value_parser = clap::builder::PossibleValuesParser::new(SUBJECTS.iter().map(|subject| subject.name))
+    )]
     map: Vec<String>,
     /// A folder for the pictures that are compared with POV-Ray's
     #[arg(long)]
@@ -260,7 +263,9 @@ impl Bench<'_> {
         let (difference, shift) =
             picture::difference(&picture, &scene.picture(THREADS[0], file("povray").as_deref())?);
         println!(
-            "\nPOV-Ray's parse time: {parse} s. Shadow rays: {} and {}. Mean difference of the pictures: {difference:.4} of white.",
+            "\n\
+             POV-Ray's parse time: {parse} s. Shadow rays: {} and {}. Mean difference of the pictures: \
+             {difference:.4} of white.",
             shadow_rays[0], shadow_rays[1]
         );
         if shift == [0, 0] {

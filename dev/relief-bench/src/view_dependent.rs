@@ -117,8 +117,8 @@ fn maps() -> Result<Vec<(&'static str, HeightMap)>, String> {
     Ok(maps)
 }
 
-/// A ray from the relief's top, up to [`MOST_DEGREES`] from the normal. A bent one has `β` from -¼ to ¼: from one that
-/// falls ever faster to one that just touches height 0.
+/// A ray from the relief's top, up to [`MOST_DEGREES`] from the normal. A bent one has `β` from -¼ to ¼: from
+/// one that falls ever faster to one that just touches height 0.
 fn ray(rng: &mut Rng, is_bent: bool) -> Path {
     let (angle, tilt) = (TAU * rng.unit(), (MOST_DEGREES * rng.unit()).to_radians());
     let length = DEPTH * tilt.tan();
@@ -189,9 +189,10 @@ fn bound(rays: usize) -> Result<bool, String> {
         rows.add_row([name.to_owned(), asked.to_string(), late.to_string(), noticed.to_string()]);
     }
     println!(
-        "Free ways of 16 azimuths, 8 elevations and 4 bends: rays up to {MOST_DEGREES} degrees from the normal, half of \
-         them bent, a third of them in each wrap; a relief as deep as a tenth of the tile. A ray is late if it was more \
-         than {ROUNDING:e} of the depth below the surface before its hit.\n\n{rows}\n"
+        "Free ways of 16 azimuths, 8 elevations and 4 bends: rays up to {MOST_DEGREES} degrees from the \
+         normal, half of them bent, a third of them in each wrap; a relief as deep as a tenth of the tile. A \
+         ray is late if it was more than {ROUNDING:e} of the depth below the surface before its hit.\n\n\
+         {rows}\n"
     );
     Ok(holds)
 }

@@ -14,9 +14,9 @@ pub mod search;
 pub mod smooth_base;
 pub mod volumes;
 
-/// Number of adversarial rays that a test sends through each map in each wrap. Tests that cost more a ray take a
-/// fraction of it. All test times scale with it: 25,000 makes 1.2 million rays over [`maps::ALL`] in the
-/// three wraps.
+/// Number of adversarial rays that a test sends through each map in each wrap. Tests that cost more a
+/// ray take a fraction of it. All test times scale with it: 25,000 makes 1.2 million rays over
+/// [`maps::ALL`] in the three wraps.
 pub const RAYS_PER_MAP: usize = 25_000;
 
 /// The steepest slope of a map along an axis, in heights a texel.

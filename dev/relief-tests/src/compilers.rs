@@ -1,5 +1,5 @@
-//! The compilers and validators of shaders that tests run: `glslangValidator`, and `spirv-val` and `spirv-opt`,
-//! which Debian has in `glslang-tools` and `spirv-tools`.
+//! The compilers and validators of shaders that tests run: `glslangValidator`, and `spirv-val` and
+//! `spirv-opt`, which Debian has in `glslang-tools` and `spirv-tools`.
 
 use std::ffi::OsStr;
 use std::path::Path;

@@ -1,5 +1,5 @@
-//! Shared parts of tests across crates and benchmarks: cases of both backends, exported shaders, claims. What needs the
-//! core alone is in `relief-testing`. Never published.
+//! Shared parts of tests across crates and benchmarks: cases of both backends, exported shaders, claims. What
+//! needs the core alone is in `relief-testing`. Never published.
 
 pub mod accuracy;
 pub mod adapter;

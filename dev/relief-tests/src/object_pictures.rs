@@ -66,7 +66,8 @@ pub fn rays(eye: DVec3) -> impl Iterator<Item = Ray> {
     (0..SIZE[0] * SIZE[1]).map(move |at| camera.ray(at % SIZE[0], at / SIZE[0], SIZE[0], SIZE[1]))
 }
 
-/// Share of pixels that see the spheres and should, among those that do either; and their mean error of depth.
+/// Share of pixels that see the spheres and should, among those that do either; and
+/// their mean error of depth.
 pub fn beside_truth(pixels: &[PixelOut], eye: DVec3) -> (f64, f64) {
     let (mut both, mut either, mut off) = (0, 0, 0.0);
     for (pixel, ray) in pixels.iter().zip(rays(eye)) {

@@ -173,15 +173,18 @@ mod tests {
 
     #[test]
     fn prose_is_what_no_list_table_code_or_heading_holds() {
-        let page = "# Title\n\n![picture](a.png)\n\nOne `a b` and\ntwo.\n\n- list\n  goes on\n\n  and on\n\n1. number\n\n\
-            | a | b |\n| --- | --- |\n\n```sh\nThree.\n```\n\nFour:\n- five\nsix\n\n<p>seven</p>\n\n    eight\n\n> nine\n";
+        let page = "# Title\n\n![picture](a.png)\n\nOne `a b` and\ntwo.\n\n- list\n  goes on\n\n  and on\n\n\
+            1. number\n\n\
+            | a | b |\n| --- | --- |\n\n```sh\nThree.\n```\n\nFour:\n- five\nsix\n\n<p>seven</p>\n\n    \
+            eight\n\n> nine\n";
         let expected = [(5, "One X and\ntwo."), (22, "Four:"), (30, "nine")];
         assert_eq!(texts(page), expected.map(|(line, text)| (line, text.to_owned())));
     }
 
     #[test]
     fn a_link_is_its_words_and_a_picture_none() {
-        let page = "See [the `guide`](docs/a.md), [this][1] ![picture](b.png) and [![badge](c)](d)end!\n\n[1]: e.md\n";
+        let page = "See [the `guide`](docs/a.md), [this][1] ![picture](b.png) and [![badge](c)](d)end!\n\n\
+                    [1]: e.md\n";
         assert_eq!(texts(page), [(1, "See the X, this  and end!".to_owned())]);
     }
 

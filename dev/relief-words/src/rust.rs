@@ -257,7 +257,8 @@ mod tests {
         let item = Kind::ItemDoc { public: true, help: false };
         assert_eq!(
             kinds(
-                "//! One\n//! two.\n\n/// Three\n///\n/// four.\n#[must_use]\npub fn five() {} // six\n// seven"
+                "//! One\n//! two.\n\n/// Three\n///\n/// four.\n#[must_use]\npub fn five() {} // six\n\
+                 // seven"
             ),
             [
                 (1, Kind::ModuleDoc, "One\ntwo.".to_owned()),
@@ -270,7 +271,8 @@ mod tests {
     #[test]
     fn an_item_is_public_by_itself_or_by_its_enum() {
         let source = "/// A\npub enum A {\n    /// B\n    B,\n}\n/// C\nenum C {\n    /// D\n    D,\n}\n\
-            /// E\npub struct E {\n    /// F\n    f: i32,\n    /// G\n    pub g: i32,\n}\n/// H\npub(crate) fn h() {}\n";
+            /// E\npub struct E {\n    /// F\n    f: i32,\n    /// G\n    pub g: i32,\n}\n/// H\n\
+            pub(crate) fn h() {}\n";
         let public: Vec<_> = kinds(source)
             .into_iter()
             .filter(|(_, kind, _)| matches!(kind, Kind::ItemDoc { public: true, .. }))
@@ -281,7 +283,8 @@ mod tests {
 
     #[test]
     fn help_is_what_clap_derives() {
-        let source = "/// A\n#[derive(Args)]\n#[command(\n    about\n)]\npub struct A {\n    /// B\n    #[arg(long)]\n    \
+        let source = "/// A\n#[derive(Args)]\n#[command(\n    about\n)]\npub struct A {\n    /// B\n    \
+            #[arg(long)]\n    \
             pub b: i32,\n}\n/// C\nstruct C {\n    /// D\n    d: i32,\n}\n";
         let help: Vec<_> = kinds(source)
             .into_iter()

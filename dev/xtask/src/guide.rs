@@ -1,11 +1,11 @@
 //! Runs the commands of README and of the guide, and makes the pictures that their pages show.
 //!
-//! A page's commands stand in blocks of `sh`. They run in a scratch folder that holds copies of `data/` and
-//! `scenes/`, on the CPU backend, which makes the same pictures on each machine. A block of `toml` that begins
-//! with `# NAME.toml` is written to that file. A picture on a page is made by the command whose output has
-//! its name, apart from the ending; the page shows it reduced, as a JPEG. Drawings are shown as SVG. The
-//! page of methods is made by the same program, so it is written here, too. All links between pages are
-//! followed.
+//! A page's commands stand in blocks of `sh`. They run in a scratch folder that holds copies of `data/`
+//! and `scenes/`, on the CPU backend, which makes the same pictures on each machine. A block of `toml`
+//! that begins with `# NAME.toml` is written to that file. A picture on a page is made by the command
+//! whose output has its name, apart from the ending; the page shows it reduced, as a JPEG. Drawings are
+//! shown as SVG. The page of methods is made by the same program, so it is written here, too. All links
+//! between pages are followed.
 
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -179,8 +179,8 @@ fn strays(root: &Path, shown: &[PathBuf]) -> Result<Vec<String>, String> {
     Ok(unshown.map(|file| format!("{}: no page of the guide shows it", file.display())).collect())
 }
 
-/// An error for each block of Rust that stands in no example of the facade, where it would be compiled. A line
-/// `// ...` stands for lines that the page leaves out.
+/// An error for each block of Rust that stands in no example of the facade, where it would be compiled. A
+/// line `// ...` stands for lines that the page leaves out.
 fn unknown_rust(root: &Path, page: &Page) -> Result<Vec<String>, String> {
     if page.rust.is_empty() {
         return Ok(Vec::new());

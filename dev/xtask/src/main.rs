@@ -1,6 +1,7 @@
-//! Developer commands: `cargo xtask link` writes the linked shaders, `cargo xtask data` the sample maps,
-//! `cargo xtask guide` the guide's pictures, `cargo xtask dist` a release, `cargo xtask web` the module for the web;
-//! `cargo xtask web-test` uses the page of `relief view` in a browser, `cargo xtask words` counts words.
+//! Developer commands: `cargo xtask link` writes the linked shaders, `cargo xtask data` the sample
+//! maps, `cargo xtask guide` the guide's pictures, `cargo xtask dist` a release, `cargo xtask web` the
+//! module for the web; `cargo xtask web-test` uses the page of `relief view` in a browser, `cargo
+//! xtask words` counts words.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -44,9 +45,9 @@ enum Command {
         #[arg(short, long)]
         output: Option<PathBuf>,
     },
-    /// Build the page of the viewer for static hosts into target/web: it draws in the browser, without a server.
-    /// Prints the size of its module. With --check, build the module quickly, and compare what it renders in Node and
-    /// in a browser with what relief renders.
+    /// Build the page of the viewer for static hosts into target/web: it draws in the browser, without a
+    /// server. Prints the size of its module. With --check, build the module quickly, and compare what it
+    /// renders in Node and in a browser with what relief renders.
     Web {
         /// Serve the page at this port of this machine.
         #[arg(long, value_name = "PORT")]

@@ -12,8 +12,9 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// optimised: the check takes less time in all.
 const WORKING: [&str; 3] = ["relief-core", "relief-render", "relief-shaders"];
 
-/// Builds the module in the profile `web`, prints its size, and writes the page with it into `target/web`, for any
-/// static host. With `serve` it also serves the page at this port of the machine, until it is stopped.
+/// Builds the module in the profile `web`, prints its size, and writes the page with it into
+/// `target/web`, for any static host. With `serve` it also serves the page at this port of the
+/// machine, until it is stopped.
 ///
 /// # Errors
 ///
@@ -63,7 +64,8 @@ fn page(root: &Path, module: &Path, folder: &Path) -> std::io::Result<()> {
     Ok(())
 }
 
-/// Builds the module quickly, and compares its pictures with the command's: in Node, and on the page in a browser.
+/// Builds the module quickly, and compares its pictures with the command's: in Node, and
+/// on the page in a browser.
 ///
 /// # Errors
 ///

@@ -23,8 +23,8 @@ pub fn print(folders: &[PathBuf]) -> Result<(), String> {
         }
         for (name, Lengths { count, median, ninety, longest }) in &counts.pages {
             println!(
-                "  {name}: {count} sentences; words: {median} at the median, {ninety} at the 90th percentile, {longest} \
-                 at most"
+                "  {name}: {count} sentences; words: {median} at the median, {ninety} at the 90th \
+                 percentile, {longest} at most"
             );
         }
     }

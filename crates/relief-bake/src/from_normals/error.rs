@@ -13,7 +13,10 @@ pub enum FromNormalsError {
     #[error(transparent)]
     Size(#[from] HeightMapError),
     /// A plane does not have one value for each texel.
-    #[error("a map of {width}x{height} needs {} values a plane, {given} were given", u64::from(*width) * u64::from(*height))]
+    #[error(
+        "a map of {width}x{height} needs {} values a plane, {given} were given",
+        u64::from(*width) * u64::from(*height)
+    )]
     WrongLength {
         /// Width in texels.
         width: u32,

@@ -135,8 +135,8 @@ impl fmt::Display for NormalSource {
                 let inward = 100.0 * inward;
                 write!(
                     f,
-                    "in object space: {inward:.0} % of its normals point along the surface or into it, and their \
-                     mean is ({x:.2}, {y:.2}, {z:.2})"
+                    "in object space: {inward:.0} % of its normals point along the surface or into it, and \
+                     their mean is ({x:.2}, {y:.2}, {z:.2})"
                 )
             }
             Self::Srgb { is_encoded, lengths_off: [plain, undone] } => {
@@ -144,8 +144,8 @@ impl fmt::Display for NormalSource {
                 let [what, undo] = if *is_encoded { ["encoded", "decoded"] } else { ["decoded", "encoded"] };
                 write!(
                     f,
-                    "{what} as colours are (sRGB): lengths are {plain:.0} % off from 1, and {undone:.1} % once it \
-                     is {undo}"
+                    "{what} as colours are (sRGB): lengths are {plain:.0} % off from 1, and {undone:.1} % \
+                     once it is {undo}"
                 )
             }
             Self::XInOpacity { spreads: [red, opacity] } => {

@@ -131,8 +131,8 @@ fn check_rays(texels: usize, [azimuths, elevations]: [u32; 2], bounces: u32) -> 
         return Ok(());
     }
     let reason = format!(
-        "{azimuths} x {elevations} directions and {bounces} bounces of {texels} texels need {rays} rays, more \
-         than the limit of {MOST_RAYS}: choose fewer azimuths, elevations or bounces, or a smaller map"
+        "{azimuths} x {elevations} directions and {bounces} bounces of {texels} texels need {rays} rays, \
+         more than the limit of {MOST_RAYS}: choose fewer azimuths, elevations or bounces, or a smaller map"
     );
     Err(BakeError::Impossible { kind: KIND.name, reason })
 }

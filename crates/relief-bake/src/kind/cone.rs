@@ -44,7 +44,8 @@ impl ConeApex {
 
 const APEX: Param = Param {
     name: "apex",
-    summary: "0 for searches that leave the cone on the texel; for those that move it to the ray 1, through a bilinear filter 2",
+    summary: "0 for searches that leave the cone on the texel; for those that move it to the ray 1, through \
+              a bilinear filter 2",
     unit: "",
     min: 0.0,
     max: 2.0,
@@ -63,9 +64,9 @@ pub const KIND: Kind = Kind {
         section: "4.3.5",
     },
     params: &[APEX, BITS],
-    guarantee: "for every point p of the surface in the texel's square (apex 0: at its centre) and every point q of it, \
-        q rises over p by at most their horizontal distance over the ratio; with apex 2 the same holds at every p \
-        for the stored values as a bilinear filter reads them there",
+    guarantee: "for every point p of the surface in the texel's square (apex 0: at its centre) and every \
+        point q of it, q rises over p by at most their horizontal distance over the ratio; with apex 2 the \
+        same holds at every p for the stored values as a bilinear filter reads them there",
     is_picture: false,
     of_volume: false,
     shapes: |size, _| vec![Shape::slices("", size, 1, 1)],

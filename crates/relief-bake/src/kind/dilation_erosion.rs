@@ -37,12 +37,14 @@ pub const KIND: Kind = Kind {
     summary: "least and greatest height within a radius of every dual cell",
     revision: 1,
     publication: Publication {
-        paper: "Szirmay-Kalos and Umenhoffer 2008, Displacement mapping on the GPU; Kolb and Rezk-Salama 2005, Efficient empty space skipping",
+        paper: "Szirmay-Kalos and Umenhoffer 2008, Displacement mapping on the GPU; Kolb and Rezk-Salama \
+                2005, Efficient empty space skipping",
         section: "4.3.2",
     },
     params: PARAMS,
-    guarantee: "From anywhere over a dual cell, the bilinear surface within the radius along both axes is nowhere below the \
-        erosion and nowhere above the dilation; both are attained. Exact in f32 and in as many bits as the heights have.",
+    guarantee: "From anywhere over a dual cell, the bilinear surface within the radius along both axes is \
+        nowhere below the erosion and nowhere above the dilation; both are attained. Exact in f32 and in as \
+        many bits as the heights have.",
     is_picture: false,
     of_volume: false,
     shapes: |size, _| vec![Shape::slices("", size, 1, 2)],

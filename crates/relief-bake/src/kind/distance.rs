@@ -75,7 +75,8 @@ pub const KIND: Kind = Kind {
     revision: 1,
     publication: Publication { paper: "Szirmay-Kalos and Umenhoffer 2008", section: "4.3.4" },
     params: &[SLICES, BITS],
-    guarantee: "a trilinear fetch is at most the distance to the bilinear surface, in the metres of the bake's metric",
+    guarantee: "a trilinear fetch is at most the distance to the bilinear surface, in the metres of the \
+                bake's metric",
     is_picture: false,
     of_volume: false,
     shapes: |size, settings| vec![Shape::slices("", size, settings.count(0), 1)],

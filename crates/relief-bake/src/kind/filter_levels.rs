@@ -74,9 +74,9 @@ pub const KIND: Kind = Kind {
         section: "4.1, 4.2",
     },
     params: &[FILTER, BITS],
-    guarantee: "With max, the bilinear surface of a level is nowhere below the map's, with min nowhere above. \
-        With variational, the volume between the two is at most the volume with average or least-squares. \
-        With least-squares, the integral of the squared difference is the least possible.",
+    guarantee: "With max, the bilinear surface of a level is nowhere below the map's, with min nowhere \
+        above. With variational, the volume between the two is at most the volume with average or \
+        least-squares. With least-squares, the integral of the squared difference is the least possible.",
     is_picture: false,
     of_volume: false,
     shapes: |size, _| vec![shape(size)],

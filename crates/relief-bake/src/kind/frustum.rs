@@ -114,8 +114,8 @@ pub const KIND: Kind = Kind {
     revision: 3,
     publication: Publication { paper: "Relief", section: "kind `frustum`" },
     params: PARAMS,
-    guarantee: "In each quadrant the bilinear surface is nowhere above top + slope * Chebyshev distance from the cell, in \
-        texels; the stored slope is the least such, at most 2^-16 of it more, rounded up.",
+    guarantee: "In each quadrant the bilinear surface is nowhere above top + slope * Chebyshev distance from \
+        the cell, in texels; the stored slope is the least such, at most 2^-16 of it more, rounded up.",
     is_picture: false,
     of_volume: false,
     shapes: |size, _| vec![Shape::slices("top", size, 1, 1), Shape::slices("slopes", size, 1, 4)],

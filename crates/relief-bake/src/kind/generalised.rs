@@ -97,7 +97,8 @@ fn bake(
     let count = directions(settings).count();
     if count > MOST_DIRECTIONS {
         let reason = format!(
-            "azimuths times elevations are {count}, but a map has at most {MOST_DIRECTIONS} layers: take fewer"
+            "azimuths times elevations are {count}, but a map has at most {MOST_DIRECTIONS} layers: take \
+             fewer"
         );
         return Err(BakeError::Impossible { kind: KIND.name, reason });
     }

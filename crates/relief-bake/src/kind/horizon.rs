@@ -79,7 +79,8 @@ pub const KIND: Kind = Kind {
     },
     params: &[AZIMUTHS, TILES, BITS_TO_NEAREST],
     guarantee: "for the bilinear surface, as slope: off by at most 1.5 times the difference of neighbouring \
-                texels over 8 steps' length; what is beyond the reach stands at most the scale over the reach high",
+                texels over 8 steps' length; what is beyond the reach stands at most the scale over the \
+                reach high",
     is_picture: false,
     of_volume: false,
     shapes: |size, settings| vec![Shape::slices("", size, settings.count(0), 1)],

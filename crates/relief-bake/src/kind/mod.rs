@@ -145,8 +145,8 @@ const WORKING_MAPS: f32 = 6.5;
 /// Parameter for the bits of stored values, rounded to the safe side.
 pub const BITS: Param = Param {
     name: crate::settings::BITS,
-    summary: "bits of the stored values, rounded to the side that is safe for heights of as many bits: 8 or 16, \
-        0 for floats",
+    summary: "bits of the stored values, rounded to the side that is safe for heights of as many bits: 8 or \
+        16, 0 for floats",
     unit: "bits",
     min: 0.0,
     max: 16.0,

@@ -36,7 +36,8 @@ pub const KIND: Kind = Kind {
         section: "",
     },
     params: &[AZIMUTHS, TILES, BITS_TO_NEAREST],
-    guarantee: "closed form of the horizons, off by at most their mean error in radians and the part between azimuths",
+    guarantee: "closed form of the horizons, off by at most their mean error in radians and the part between \
+                azimuths",
     is_picture: true,
     of_volume: false,
     shapes: |size, _| vec![Shape::slices("", size, 1, 1)],

@@ -97,8 +97,8 @@ const RANK: Param = Param {
 
 const CLUSTERS: Param = Param {
     name: "clusters",
-    summary: "groups of texels, by k-means, each with factors of its own that are not negative; 0 for no groups, \
-        but a singular value decomposition of all",
+    summary: "groups of texels, by k-means, each with factors of its own that are not negative; 0 for no \
+        groups, but a singular value decomposition of all",
     ..RANK
 };
 

@@ -57,8 +57,9 @@ pub const KIND: Kind = Kind {
     revision: 1,
     publication: Publication { paper: "Relief", section: "" },
     params: &[AXES_PARAMS[0], AXES_PARAMS[1], AXES_PARAMS[2], AXES_PARAMS[3], BITS_DOWN],
-    guarantee: "No path that comes in at height 1 over a texel's square, within a step of each axis, touches the \
-        bilinear surface before the way that is stored, as a part of the longest whole way in that step of bends.",
+    guarantee: "No path that comes in at height 1 over a texel's square, within a step of each axis, touches \
+        the bilinear surface before the way that is stored, as a part of the longest whole way in that step \
+        of bends.",
     is_picture: false,
     of_volume: false,
     shapes: |[width, height], settings| {

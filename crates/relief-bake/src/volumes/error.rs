@@ -25,7 +25,8 @@ pub enum VolumesError {
     },
     /// The margin leaves no voxel for the mesh.
     #[error(
-        "a margin of {margin} voxels on both sides leaves nothing of {}x{}x{} voxels: make the margin smaller",
+        "a margin of {margin} voxels on both sides leaves nothing of {}x{}x{} voxels: make the margin \
+         smaller",
         size[0], size[1], size[2]
     )]
     NoRoom {
@@ -36,8 +37,8 @@ pub enum VolumesError {
     },
     /// The mesh reaches too far beyond its tile.
     #[error(
-        "the mesh reaches {tiles} tiles from its own, at most {MAX_TILES} are possible: bring it to coordinates \
-         from 0 to 1"
+        "the mesh reaches {tiles} tiles from its own, at most {MAX_TILES} are possible: bring it to \
+         coordinates from 0 to 1"
     )]
     TooWide {
         /// Tiles between the mesh's farthest point and its tile.

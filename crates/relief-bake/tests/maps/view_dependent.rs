@@ -133,8 +133,8 @@ fn ways_that_are_too_long_are_noticed() {
     assert!(judge(&map, AXES, &turned, 20_000).0 > 0);
 }
 
-/// The bound is of use: over a bumpy map rays are free for a fifth of their way on average, over a flat one for
-/// nearly all of it.
+/// The bound is of use: over a bumpy map rays are free for a fifth of their way on average, over a flat
+/// one for nearly all of it.
 #[test]
 fn free_ways_are_long() {
     let bumpy = HeightMap::from_fn(64, 64, Wrap::Repeat, |i, j| {

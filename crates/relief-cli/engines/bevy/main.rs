@@ -1,5 +1,5 @@
-//! A mesh with a relief, in Bevy. Drag turns it, the wheel comes nearer. `-- --picture FILE.png` writes a picture
-//! without a window.
+//! A mesh with a relief, in Bevy. Drag turns it, the wheel comes nearer. `-- --picture FILE.png` writes a
+//! picture without a window.
 //!
 //! SPDX-License-Identifier: MIT OR Apache-2.0
 

@@ -14,8 +14,8 @@ use bevy::shader::ShaderRef;
 pub use crate::relief_functions::{Relief, ReliefSettings};
 use crate::relief_functions::{HAS_CURVATURE, HAS_LIGHT, HAS_SIZE};
 
-/// A `StandardMaterial` with a relief on it. Of the base it takes colour, metal, roughness, occlusion, emission
-/// and `unlit`, as numbers and as textures; it is drawn forward, front faces alone.
+/// A `StandardMaterial` with a relief on it. Of the base it takes colour, metal, roughness, occlusion,
+/// emission and `unlit`, as numbers and as textures; it is drawn forward, front faces alone.
 pub type ReliefMaterial = ExtendedMaterial<StandardMaterial, Relief>;
 
 /// The material's shader among the assets. It imports `relief.wesl`.

@@ -1,14 +1,16 @@
-// Relief on the materials of three.js: what `relief shader --entry functions` writes, as nodes of any
-// MeshStandardNodeMaterial. Colour, normal, roughness, depth, silhouette, and shadows that are cast and received.
+// Relief on the materials of three.js: what `relief shader --entry functions` writes, as nodes
+// of any MeshStandardNodeMaterial. Colour, normal, roughness, depth, silhouette, and shadows
+// that are cast and received.
 //
 // SPDX-License-Identifier: MIT OR Apache-2.0
 
 import { DataTexture, FloatType, FrontSide, RedFormat, Vector2, Vector4 } from 'three/webgpu';
 import {
-	attribute, cameraFar, cameraNear, cameraProjectionMatrix, cameraViewMatrix, code, cross, dFdx, dFdy, Fn, glslFn,
-	inverse, ivec2, lightTargetDirection, materialReference, modelNormalMatrix, modelViewMatrix, normalGeometry,
-	normalLocal, normalViewGeometry, positionView, select, sign, tangentGeometry, texture, transformNormalToView,
-	uniform, uv, vec2, vec3, vec4, viewZToLogarithmicDepth, viewZToOrthographicDepth, viewZToPerspectiveDepth,
+	attribute, cameraFar, cameraNear, cameraProjectionMatrix, cameraViewMatrix, code, cross, dFdx,
+	dFdy, Fn, glslFn, inverse, ivec2, lightTargetDirection, materialReference, modelNormalMatrix,
+	modelViewMatrix, normalGeometry, normalLocal, normalViewGeometry, positionView, select, sign,
+	tangentGeometry, texture, transformNormalToView, uniform, uv, vec2, vec3, vec4,
+	viewZToLogarithmicDepth, viewZToOrthographicDepth, viewZToPerspectiveDepth,
 	viewZToReversedOrthographicDepth, viewZToReversedPerspectiveDepth, wgslFn,
 } from 'three/tsl';
 
@@ -41,8 +43,8 @@ export async function loadRelief( url ) {
 }
 
 /**
- * Reads a picture as a height map: its red part, from 0 to 1. Browsers read 8 bits of it, which shows as terraces
- * on smooth relief.
+ * Reads a picture as a height map: its red part, from 0 to 1. Browsers read 8 bits of it, which shows as
+ * terraces on smooth relief.
  */
 export async function loadHeights( url ) {
 
@@ -81,20 +83,30 @@ function typeName( prefix, name ) {
 /** Whether there is a function of that name. */
 function has( about, name ) {
 
-	return about.functions.some( ( { declaration } ) => declaration.startsWith( `fn ${ about.prefix }_${ name }(` ) );
+	const begin = `fn ${ about.prefix }_${ name }(`;
+	return about.functions.some( ( { declaration } ) => declaration.startsWith( begin ) );
 
 }
 
-/** The functions that nodes call, in both languages: the hit of a fragment, and the light that arrives there. */
+/**
+ * The functions that nodes call, in both languages: the hit of a fragment, and the light that arrives
+ * there.
+ */
 function sources( about ) {
 
 	const p = about.prefix;
 	const [ Settings, Point, Hit ] = [ 'Settings', 'Point', 'Hit' ].map( ( name ) => typeName( p, name ) );
 	const given = { uv: '', view: '', tile: '', curvature: '', footprint: '' };
-	for ( const { name } of about.point ) if ( ! ( name in given ) ) throw new Error( `relief: nothing is known of ${ name }` );
+	for ( const { name } of about.point ) {
+
+		if ( ! ( name in given ) ) throw new Error( `relief: nothing is known of ${ name }` );
+
+	}
+
 	const isIn = ( name ) => about.point.some( ( member ) => member.name === name );
-	const settings = ( place ) => about.settings.map( ( { name, type } ) => TYPES[ type ][ place ]( name ) ).join( ', ' );
-	const parameters = ( place, declared ) => about.settings.map( ( { name, type } ) => declared( name, TYPES[ type ][ place ] ) );
+	const parameters = ( place, declared ) =>
+		about.settings.map( ( { name, type } ) => declared( name, TYPES[ type ][ place ] ) );
+	const settings = ( place ) => parameters( place, ( name, of ) => of( name ) ).join( ', ' );
 	const wgslTexture = ( { name, type } ) => `of_${ name }: ${ type }`;
 	const passed = [
 		...parameters( 0, ( name, type ) => `${ name }: ${ type }` ),
@@ -116,9 +128,13 @@ function sources( about ) {
 	${ Point } at = ${ Point }(${ members });`;
 	const wgslOfPoint = 'uv: vec2f, way: vec3f, tile: vec2f, curvature: vec3f, footprint: f32';
 	const glslOfPoint = 'vec2 uv, vec3 way, vec2 tile, vec3 curvature, float footprint';
+	const wgslOfLight = `${ wgslOfPoint }, place: vec3f, toward: vec3f`;
+	const glslOfLight = `${ glslOfPoint }, vec3 place, vec3 toward`;
 	return {
 		wgsl: {
-			tile: `fn ${ p }_tile_of_fragment(position: vec3f, uv: vec2f) -> vec2f { return ${ p }_tile(position, uv); }`,
+			tile: `fn ${ p }_tile_of_fragment(position: vec3f, uv: vec2f) -> vec2f {
+	return ${ p }_tile(position, uv);
+}`,
 			curvature: `fn ${ p }_curvature_of_fragment(position: vec3f, n: vec3f, uv: vec2f) -> vec3f {
 	return ${ p }_curvature(position, n, uv);
 }`,
@@ -126,7 +142,7 @@ function sources( about ) {
 	let hit = ${ p }_hit(settings, at);
 	return mat3x3<f32>(vec3f(select(0.0, 1.0, hit.hit), hit.uv), hit.normal, vec3f(hit.depth, hit.height, 0.0));
 }`,
-			light: `fn ${ p }_light_of_fragment(${ wgslOfPoint }, place: vec3f, toward: vec3f, ${ passed }) -> f32 {${ wgslPoint }
+			light: `fn ${ p }_light_of_fragment(${ wgslOfLight }, ${ passed }) -> f32 {${ wgslPoint }
 	let hit = ${ Hit }(true, place.xy, place.z, 0.0, vec3f(0.0, 0.0, 1.0));
 	return ${ p }_light(settings, at, hit, toward);
 }`,
@@ -140,7 +156,7 @@ function sources( about ) {
 	${ Hit } hit = ${ p }_hit(settings, at);
 	return mat3(vec3(hit.hit ? 1.0 : 0.0, hit.uv), hit.normal, vec3(hit.depth, hit.height, 0.0));
 }`,
-			light: `float ${ p }_light_of_fragment(${ glslOfPoint }, vec3 place, vec3 toward, ${ passedGlsl }) {${ glslPoint }
+			light: `float ${ p }_light_of_fragment(${ glslOfLight }, ${ passedGlsl }) {${ glslPoint }
 	${ Hit } hit = ${ Hit }(true, place.xy, place.z, 0.0, vec3(0.0, 0.0, 1.0));
 	return ${ p }_light(settings, at, hit, toward);
 }`,
@@ -150,12 +166,14 @@ function sources( about ) {
 }
 
 /**
- * Whether the mesh that is drawn has frames of its own: unit tangents, the lengths of a tile and the curvature at
- * each vertex, as `relief engine` writes them. three.js does not turn them with instances and bones.
+ * Whether the mesh that is drawn has frames of its own: unit tangents, the lengths of a tile
+ * and the curvature at each vertex, as `relief engine` writes them. three.js does not turn them
+ * with instances and bones.
  */
 function hasFrames( { geometry, object } ) {
 
-	const isPlain = object.isInstancedMesh !== true && object.isBatchedMesh !== true && object.isSkinnedMesh !== true;
+	const isPlain = object.isInstancedMesh !== true && object.isBatchedMesh !== true
+		&& object.isSkinnedMesh !== true;
 	return isPlain && [ 'tangent', '_tile', '_curvature' ].every( ( name ) => geometry.hasAttribute( name ) );
 
 }
@@ -164,7 +182,8 @@ function hasFrames( { geometry, object } ) {
 function ownTile( axis ) {
 
 	const along = axis === 0 ? tangentGeometry.xyz : cross( normalGeometry, tangentGeometry.xyz );
-	return modelViewMatrix.mul( vec4( along.mul( attribute( '_tile', 'vec2' ).element( axis ) ), 0 ) ).xyz.toVarying();
+	const tile = along.mul( attribute( '_tile', 'vec2' ).element( axis ) );
+	return modelViewMatrix.mul( vec4( tile, 0 ) ).xyz.toVarying();
 
 }
 
@@ -179,9 +198,9 @@ function ownCurvature() {
 const LEAST_TURN = 1e-6;
 
 /**
- * The frame of a fragment in view space: what measures a direction along +u and along +v, and the normal. A mesh
- * that is scaled unevenly has no right angle between +u and +v: one measures across the other. From the mesh's own
- * frames, else from derivatives.
+ * The frame of a fragment in view space: what measures a direction along +u and along +v, and the normal. A
+ * mesh that is scaled unevenly has no right angle between +u and +v: one measures across the other. From the
+ * mesh's own frames, else from derivatives.
  */
 function frameOf( position, coordinates, normal ) {
 
@@ -215,8 +234,14 @@ function frameOf( position, coordinates, normal ) {
 /** What the depth buffer of a renderer holds with parallel rays, and in perspective. */
 function depths( { reversedDepthBuffer, logarithmicDepthBuffer } ) {
 
-	if ( reversedDepthBuffer === true ) return [ viewZToReversedOrthographicDepth, viewZToReversedPerspectiveDepth ];
-	return [ viewZToOrthographicDepth, logarithmicDepthBuffer === true ? viewZToLogarithmicDepth : viewZToPerspectiveDepth ];
+	if ( reversedDepthBuffer === true ) {
+
+		return [ viewZToReversedOrthographicDepth, viewZToReversedPerspectiveDepth ];
+
+	}
+
+	const isLogarithmic = logarithmicDepthBuffer === true;
+	return [ viewZToOrthographicDepth, isLogarithmic ? viewZToLogarithmicDepth : viewZToPerspectiveDepth ];
 
 }
 
@@ -229,7 +254,9 @@ export function applyRelief( material, { about, texts }, options ) {
 	if ( text === undefined ) {
 
 		const target = language === 'wgsl' ? '--target wgsl' : '--target glsl --profile es300';
-		throw new Error( `relief: this renderer needs functions in ${ language.toUpperCase() }: write them with ${ target }, too` );
+		throw new Error(
+			`relief: this renderer needs functions in ${ language.toUpperCase() }: write them with ${ target }, too`
+		);
 
 	}
 
@@ -238,12 +265,16 @@ export function applyRelief( material, { about, texts }, options ) {
 	if ( missing !== undefined ) {
 
 		const how = missing.texture?.bake?.how;
-		throw new Error( `relief: maps.${ ownName( missing.name ) } is missing: ${ missing.holds }${ how ? `, by ${ how } --format ktx2` : '' }` );
+		const by = how ? `, by ${ how } --format ktx2` : '';
+		throw new Error( `relief: maps.${ ownName( missing.name ) } is missing: ${ missing.holds }${ by }` );
 
 	}
 
 	const { width, height } = ( maps.height_map ?? Object.values( maps )[ 0 ] ).image;
-	const values = { scale, bias: - scale, height_size: new Vector2( width, height ), height_levels: 1, light_radius: 0, wrap: 0, ...options.settings };
+	const values = {
+		scale, bias: - scale, height_size: new Vector2( width, height ), height_levels: 1,
+		light_radius: 0, wrap: 0, ...options.settings
+	};
 	const settings = {};
 	for ( const { name, type, value } of about.settings ) {
 
@@ -257,13 +288,16 @@ export function applyRelief( material, { about, texts }, options ) {
 	for ( const { name } of about.bindings ) {
 
 		const map = texture( maps[ ownName( name ) ] );
-		bound[ `of_${ name }` ] = language === 'wgsl' ? map.setName( name ) : map.load( ivec2( 0, 0 ) ).setName( name ).x;
+		bound[ `of_${ name }` ] = language === 'wgsl'
+			? map.setName( name )
+			: map.load( ivec2( 0, 0 ) ).setName( name ).x;
 
 	}
 
 	// three.js declares the textures itself.
 	const isOwn = ( line ) => line.startsWith( '@group' ) || /^(layout\(.*\) )?uniform .*sampler2D/.test( line );
-	const functions = code( text.split( '\n' ).filter( ( line ) => ! isOwn( line ) ).join( '\n' ), [], language );
+	const kept = text.split( '\n' ).filter( ( line ) => ! isOwn( line ) );
+	const functions = code( kept.join( '\n' ), [], language );
 	const native = language === 'wgsl' ? wgslFn : glslFn;
 	const source = sources( about )[ language ];
 
@@ -281,7 +315,12 @@ export function applyRelief( material, { about, texts }, options ) {
 		way: ofFrame( view ),
 		tile: Fn( ( builder ) => {
 
-			if ( ! hasFrames( builder ) ) return native( source.tile, [ functions ] )( { position: positionView, uv: ownUV } );
+			if ( ! hasFrames( builder ) ) {
+
+				return native( source.tile, [ functions ] )( { position: positionView, uv: ownUV } );
+
+			}
+
 			return vec2( ownTile( 0 ).length(), ownTile( 1 ).length() ).div( repeat );
 
 		}, 'vec2' )().toVar(),
@@ -297,7 +336,8 @@ export function applyRelief( material, { about, texts }, options ) {
 				return native( source.curvature, [ functions ] )( { position: positionView, n: between, uv: ownUV } );
 
 			}
-			return ownCurvature().div( vec3( repeat.x.mul( repeat.x ), repeat.x.mul( repeat.y ), repeat.y.mul( repeat.y ) ) );
+			const { x, y } = repeat;
+			return ownCurvature().div( vec3( x.mul( x ), x.mul( y ), y.mul( y ) ) );
 
 		}, 'vec3' )().toVar(),
 		footprint: dFdx( texels ).length().min( dFdy( texels ).length() ),
@@ -308,16 +348,36 @@ export function applyRelief( material, { about, texts }, options ) {
 
 	const sampled = ( map ) => {
 
-		if ( map.flipY === true ) console.warn( 'relief: a colour map has flipY: its colours lie on other stones. Set flipY = false.' );
+		if ( map.flipY === true ) {
+
+			console.warn( 'relief: a colour map has flipY: its colours lie on other stones. Set flipY = false.' );
+
+		}
+
 		return texture( map, hitUV ).grad( dFdx( ownUV ), dFdy( ownUV ) );
 
 	};
 	const factor = ( name, kind ) => materialReference( name, kind, material );
 	if ( options.map ) material.colorNode = factor( 'color', 'color' ).mul( sampled( options.map ) );
-	if ( options.roughnessMap ) material.roughnessNode = factor( 'roughness', 'float' ).mul( sampled( options.roughnessMap ).g );
-	if ( options.metalnessMap ) material.metalnessNode = factor( 'metalness', 'float' ).mul( sampled( options.metalnessMap ).b );
+	if ( options.roughnessMap ) {
+
+		material.roughnessNode = factor( 'roughness', 'float' ).mul( sampled( options.roughnessMap ).g );
+
+	}
+
+	if ( options.metalnessMap ) {
+
+		material.metalnessNode = factor( 'metalness', 'float' ).mul( sampled( options.metalnessMap ).b );
+
+	}
+
 	if ( options.aoMap ) material.aoNode = sampled( options.aoMap ).r;
-	if ( options.emissiveMap ) material.emissiveNode = factor( 'emissive', 'color' ).mul( sampled( options.emissiveMap ).rgb );
+	if ( options.emissiveMap ) {
+
+		material.emissiveNode = factor( 'emissive', 'color' ).mul( sampled( options.emissiveMap ).rgb );
+
+	}
+
 	const bent = seen.element( 1 );
 	material.normalNode = t.mul( bent.x ).add( b.mul( bent.y ) ).add( n.mul( bent.z ) ).normalize();
 	material.maskNode = seen.element( 0 ).x.greaterThan( 0.5 );
@@ -332,7 +392,12 @@ export function applyRelief( material, { about, texts }, options ) {
 	material.shadowSide = FrontSide;
 	if ( sun !== null && has( about, 'light' ) ) {
 
-		if ( sun.castShadow !== true ) console.warn( 'relief: the sun casts no shadows, so the relief has none of its own. Set sun.castShadow = true.' );
+		if ( sun.castShadow !== true ) {
+
+			const why = 'the sun casts no shadows, so the relief has none of its own';
+			console.warn( `relief: ${ why }. Set sun.castShadow = true.` );
+
+		}
 
 		const at = vec3( hitUV, seen.element( 2 ).y );
 		const arrives = native( source.light, [ functions ] )( {
@@ -343,6 +408,9 @@ export function applyRelief( material, { about, texts }, options ) {
 	}
 
 	material.needsUpdate = true;
-	return { settings, repeat, uv: hitUV, sampled, isHit: material.maskNode, height: seen.element( 2 ).y, depth: seen.element( 2 ).x };
+	return {
+		settings, repeat, uv: hitUV, sampled, isHit: material.maskNode,
+		height: seen.element( 2 ).y, depth: seen.element( 2 ).x
+	};
 
 }

@@ -257,8 +257,8 @@ impl Arguments {
         let name = self.height.display();
         if self.height.is_dir() {
             return Err(Failure::Usage(format!(
-                "{name}: this is a folder: --kind bakes a height map; give its file, or the whole folder an engine \
-                 with --for"
+                "{name}: this is a folder: --kind bakes a height map; give its file, or the whole folder an \
+                 engine with --for"
             )));
         }
         if self.engine.folder.udim.is_some() || self.engine.folder.green.is_some() {

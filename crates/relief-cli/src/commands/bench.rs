@@ -22,8 +22,8 @@ use crate::streams::{Files, answer};
     Frames have one sample per pixel. Methods take turns, so that a slow moment of the machine slows all of \
     them. Times are medians, with their 95 % confidence interval from 6 frames on. Differences that may be 0 \
     are in parentheses.\n\n\
-    Compiling, uploading, baking and reading back are not part of a frame. The time of displacement is \
-    how much longer a frame takes than with bump mapping. Where a GPU's own clock times its passes, it is how \
+    Compiling, uploading, baking and reading back are not part of a frame. The time of displacement is how \
+    much longer a frame takes than with bump mapping. Where a GPU's own clock times its passes, it is how \
     much longer the pass that traces takes."
 )]
 pub struct Arguments {

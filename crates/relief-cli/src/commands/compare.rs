@@ -236,7 +236,8 @@ impl Arguments {
         if self.goal().is_some() {
             if comparison.scene.surfaces().len() > 1 {
                 return Err(Failure::usage(
-                    "--budget-ms and --max-error need the errors of hits, which only a scene with one surface has: remove the others",
+                    "--budget-ms and --max-error need the errors of hits, which only a scene with one \
+                     surface has: remove the others",
                 ));
             }
             // The choice is for pictures of this size, and may have any number of steps.

@@ -11,11 +11,10 @@ use crate::failure::Failure;
 
 /// Arguments of `relief completions`.
 #[derive(Args)]
-#[command(
-    after_help = "Examples:\n  relief completions bash > ~/.local/share/bash-completion/completions/relief\n  \
+#[command(after_help = "Examples:\n  \
+    relief completions bash > ~/.local/share/bash-completion/completions/relief\n  \
     relief completions fish > ~/.config/fish/completions/relief.fish\n  \
-    relief completions --output DIR    # for packagers: a file for each shell"
-)]
+    relief completions --output DIR    # for packagers: a file for each shell")]
 pub struct Arguments {
     /// Shell whose completions are printed
     #[arg(value_name = "SHELL", required_unless_present = "output", conflicts_with = "output")]

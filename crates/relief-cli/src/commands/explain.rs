@@ -28,16 +28,15 @@ use crate::{interrupt, say, units, values};
 
 /// Arguments of `relief explain`. Flags override the scene file.
 #[derive(Args)]
-#[command(
-    after_help = "Examples:\n  relief explain                          # the exact method on the sample cobbles\n  \
+#[command(after_help = "Examples:\n  \
+    relief explain                          # the exact method on the sample cobbles\n  \
     relief explain rock.png --method cone --angle 75 -o cone.svg\n  \
     relief explain rock.png --search linear --refine binary --frames -o steps.png\n  \
     relief explain rock.png --method sphere-tracing --at 0.3,0.6 --direction 45\n  \
     relief explain rock.png --method exact --radius 0.2 --json   # over a base that curves away\n\n\
     The drawing is a cut along the ray. It shows where the ray is at each turn of the method's loops, what \
-    the turn looked at (cones, boxes, balls, patches, brackets), the method's hit and the true first hit. The \
-    turns are made by the method's own code."
-)]
+    the turn looked at (cones, boxes, balls, patches, brackets), the method's hit and the true first hit. \
+    The turns are made by the method's own code.")]
 pub struct Arguments {
     /// Drawing to write, .svg or .png
     #[arg(short, long, value_name = "FILE", default_value = "explain.svg")]
@@ -129,8 +128,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let turns = cut.explanation().turns();
     if arguments.frames && turns > MOST_FRAMES {
         return Err(Failure::Usage(format!(
-            "--frames: the method takes {turns} turns, and at most {MOST_FRAMES} are drawn one by one: give a \
-             smaller --angle, or leave --frames out"
+            "--frames: the method takes {turns} turns, and at most {MOST_FRAMES} are drawn one by one: give \
+             a smaller --angle, or leave --frames out"
         )));
     }
     let frames = if arguments.frames { turns } else { 0 };

@@ -67,9 +67,10 @@ const AFTER_HELP: &str = "Examples:\n  relief height from-normals rock_normal.pn
     `relief height from-photos --help` shows a file of lights.";
 
 /// Description of the written files, at the end of several helps.
-const WRITTEN: &str = "The height map has texels from 0 (lowest) to 1: 16-bit PNG or 32-bit float EXR, by the output's \
-    ending. Its lengths in metres are printed and stored in the file: `relief inspect` shows them, `relief bake` uses \
-    them. All files take their names at the end; Ctrl-C changes nothing (exit code 1).";
+const WRITTEN: &str = "The height map has texels from 0 (lowest) to 1: 16-bit PNG or 32-bit float EXR, by \
+    the output's ending. Its lengths in metres are printed and stored in the file: `relief inspect` shows \
+    them, `relief bake` uses them. All files take their names at the end; Ctrl-C changes nothing (exit code \
+    1).";
 
 /// Flags of `from-normals` and `from-photos`.
 #[derive(Args)]
@@ -283,9 +284,11 @@ impl Relief {
     fn as_json(&self, output: &Output, seconds: f64) -> Value {
         let [width, height] = self.content.size;
         json!({
-            "output": output.path.display().to_string(), "width": width, "height": height, "scale_m": self.note.scale_m,
+            "output": output.path.display().to_string(), "width": width,
+            "height": height, "scale_m": self.note.scale_m,
             "bias_m": self.note.bias_m, "tile_m": self.note.tile_m, "texel_m": self.how.texel_m,
-            "wrap": self.how.wrap.name(), "damping": self.how.damping, "misfit": self.misfit, "seconds": seconds,
+            "wrap": self.how.wrap.name(), "damping": self.how.damping,
+            "misfit": self.misfit, "seconds": seconds,
         })
     }
 

@@ -384,24 +384,28 @@ fn as_json(
         let tiling =
             values.tiling.as_ref().map(|tiling| json!({ "seam": tiling.seam, "tiles": tiling.tiles }));
         let elevation = values.elevation.as_ref().map(|elevation| {
+            let range_m = values.range.and_then(|range| elevation.metres(range));
             json!({
-                "unit": elevation.unit, "metres_per_unit": elevation.metres_per_unit, "scale": elevation.scale,
+                "unit": elevation.unit, "metres_per_unit": elevation.metres_per_unit,
+                "scale": elevation.scale,
                 "offset": elevation.offset, "downward": elevation.downward,
                 "unit_by": elevation.origin.to_string(),
-                "range_m": values.range.and_then(|range| elevation.metres(range)).map(|[a, b]| [a.min(b), a.max(b)]),
+                "range_m": range_m.map(|[a, b]| [a.min(b), a.max(b)]),
                 "doubt": doubt(info, elevation, values.range),
             })
         });
         json!({
             "channel": values.channel, "range": values.range, "normalised_range": values.normalised_range,
             "levels": values.levels, "histogram": values.histogram.to_vec(), "nodata": values.nodata,
-            "not_finite": values.not_finite, "masked": values.masked, "elevation": elevation, "tiling": tiling,
+            "not_finite": values.not_finite, "masked": values.masked,
+            "elevation": elevation, "tiling": tiling,
         })
     });
     let georeference = info.georeference.as_ref().map(|found| {
         let [columns, rows] = found.turned_over;
         json!({
-            "system": found.system.name(), "epsg": found.epsg, "turned_over": { "columns": columns, "rows": rows },
+            "system": found.system.name(), "epsg": found.epsg,
+            "turned_over": { "columns": columns, "rows": rows },
             "unit": found.unit, "unit_by": found.unit_origin.to_string(), "placed_by": found.grid_file,
             "size_unknown": found.texel_size_m.as_ref().err(),
         })
@@ -418,10 +422,12 @@ fn as_json(
         })
     });
     json!({
-        "input": arguments.file.display().to_string(), "format": info.format.name(), "width": info.width, "height": info.height,
+        "input": arguments.file.display().to_string(),
+        "format": info.format.name(), "width": info.width, "height": info.height,
         "orientation": info.orientation.unwrap_or(1),
         "channels": channels, "nodata": info.nodata_value, "texel_m": info.texel_size_m,
-        "georeference": georeference, "scale_m": info.note.map(|note| note.scale_m), "bias_m": info.note.map(|note| note.bias_m), "values": values,
+        "georeference": georeference, "scale_m": info.note.map(|note| note.scale_m),
+        "bias_m": info.note.map(|note| note.bias_m), "values": values,
         "detection": detection, "guess": guess,
         "notes": maps::as_json(notes),
     })

@@ -28,8 +28,8 @@ pub fn notes(ground: &Ground) -> Vec<String> {
             unit: Some(unit), texel_size_m: Err(_), metres_per_unit: None, system, ..
         }) if is_linear(*system) && elevation.origin != UnitOrigin::Given => {
             notes.push(format!(
-                "the unit of its coordinates is not known ({unit}): set it with --unit, as in --unit m,ft for \
-                 heights in m on a ground in ft"
+                "the unit of its coordinates is not known ({unit}): set it with --unit, as in --unit m,ft \
+                 for heights in m on a ground in ft"
             ));
         }
         Some(Georeference { unit: None, transform: Some(_), .. })

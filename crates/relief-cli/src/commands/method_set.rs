@@ -53,9 +53,9 @@ pub struct MethodSetArguments {
 fn methods_help() -> String {
     let usual: Vec<String> = Contender::usual().into_iter().map(|contender| contender.name).collect();
     format!(
-        "Methods, or pairs of a search and a refinement as linear+binary. all: every method but slices, which \
-         take minutes; name them, or give --geometry slices [default: {}; all with a --geometry, a goal, or \
-         `relief bench`]",
+        "Methods, or pairs of a search and a refinement as linear+binary. all: every method but slices, \
+         which take minutes; name them, or give --geometry slices [default: {}; all with a --geometry, a \
+         goal, or `relief bench`]",
         usual.join(", ")
     )
 }
@@ -370,7 +370,8 @@ pub fn of_comparison(error: CompareError) -> Failure {
         CompareError::Nothing(_) => Failure::usage(error),
         CompareError::Selection(error) => Failure::Usage(format!("--steps: {error}")),
         CompareError::TooMuchMemory { .. } => Failure::Work(format!(
-            "{error}: --max-memory raises the limit; fewer --rays, a smaller --size and fewer --methods need less"
+            "{error}: --max-memory raises the limit; fewer --rays, a smaller --size and fewer --methods need \
+             less"
         )),
         CompareError::Cancelled(_) => interrupt::cancelled(),
         CompareError::Render { source, .. } => of_render(*source),

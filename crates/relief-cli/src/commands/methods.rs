@@ -124,8 +124,8 @@ fn pairs_text() -> Result<String, Failure> {
     }
     let mut text = format!(
         "Guarantees of a search and a refinement together for view, bent and shadow rays, with their default \
-         settings: e exact, c conservative (never passes a hit, can stop before one), a approximate, i impossible; \
-         no for refused pairs.\n\n{table}\n\nReasons for refused pairs:\n\n"
+         settings: e exact, c conservative (never passes a hit, can stop before one), a approximate, i \
+         impossible; no for refused pairs.\n\n{table}\n\nReasons for refused pairs:\n\n"
     );
     for reason in pairs.iter().filter_map(|pair| pair.refused.as_ref()) {
         text += &format!("- {reason}\n");
@@ -216,14 +216,16 @@ fn as_json() -> Value {
                     .iter()
                     .map(|param| {
                         json!({
-                            "name": param.name, "summary": param.summary, "unit": param.unit, "min": param.min,
+                            "name": param.name, "summary": param.summary,
+                            "unit": param.unit, "min": param.min,
                             "max": param.max, "default": param.default, "integer": param.integer,
                             "names": param.names,
                         })
                     })
                     .collect();
                 json!({
-                    "id": number, "name": entry.name, "summary": entry.summary, "source": source(&entry.publication),
+                    "id": number, "name": entry.name, "summary": entry.summary,
+                    "source": source(&entry.publication),
                     "maps": maps, "params": params, "argument": entry.argument,
                     "guarantee": { "view": view, "bent": bent, "shadow": shadow },
                 })

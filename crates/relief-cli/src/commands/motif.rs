@@ -24,8 +24,8 @@ pub fn missing_motif(path: &Path) -> Option<Failure> {
     let name = path.to_str()?;
     (!path.exists() && name.parse::<MotifKind>().is_ok()).then(|| {
         Failure::Usage(format!(
-            "{name}: there is no such file: make the motif's mesh with `relief motif {name} -o {name}.glb`, and give \
-             {name}.glb"
+            "{name}: there is no such file: make the motif's mesh with `relief motif {name} -o {name}.glb`, \
+             and give {name}.glb"
         ))
     })
 }
@@ -41,7 +41,8 @@ pub struct Arguments {
     /// GLB file to write
     #[arg(short, long, value_name = "FILE.glb")]
     output: PathBuf,
-    /// Yarns, which are threads of cloth, along each side of the tile: an even number from 2 to 256 [default: 4]
+    /// Yarns, which are threads of cloth, along each side of the tile: an even number
+    /// from 2 to 256 [default: 4]
     #[arg(long, value_name = "N", help_heading = "Shape")]
     yarns: Option<u32>,
     /// Links of mail along u in the tile, 1 to 128. There are about ten thirds as many rows
@@ -70,10 +71,10 @@ pub struct Arguments {
 const AFTER_HELP: &str = "Examples:\n  relief motif mail -o mail.glb\n  \
     relief motif weave --yarns 8 --detail 8 -o cloth.glb\n  \
     relief motif grass --blades 400 --seed 7 -o grass.glb\n\n\
-    The mesh lies in one tile: x is u, z is v, both from 0 to 1; y is the height from 0 to 1. Links that cross the \
-    tile's edges reach into the next tile, and threads end on the edges, where the next tile's begin. The mesh is \
-    closed: each edge has two triangles. The extras of its node say that it is a motif, and how deep it is in tiles; \
-    `relief volume` reads them.";
+    The mesh lies in one tile: x is u, z is v, both from 0 to 1; y is the height from 0 to 1. Links that \
+    cross the tile's edges reach into the next tile, and threads end on the edges, where the next tile's \
+    begin. The mesh is closed: each edge has two triangles. The extras of its node say that it is a motif, \
+    and how deep it is in tiles; `relief volume` reads them.";
 
 /// Makes the motif and writes it.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -82,7 +83,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     format_of("--output", &arguments.output, &[("glb", ())], &[])?;
     if settings.triangles() > MOST_TRIANGLES {
         return Err(Failure::Usage(format!(
-            "{} triangles are more than {MOST_TRIANGLES}: give fewer yarns, links or blades, or a smaller --detail",
+            "{} triangles are more than {MOST_TRIANGLES}: give fewer yarns, links or blades, or a smaller \
+             --detail",
             settings.triangles()
         )));
     }

@@ -39,8 +39,8 @@ use crate::{advice, interrupt, lanes, say};
     relief render --height wave_%04d.png --frames 0..47 --eye 0.6,0.9,1.1 -o out_%04d.png\n  \
     relief render data/bricks.png --show height,steps -o numbers.png\n  \
     relief render data/bricks.png --methods parallax,relief,cone --show error -o errors.png\n\n\
-    `relief methods` lists methods, searches and refinements with their settings; `relief render --help` lists \
-    every flag.")]
+    `relief methods` lists methods, searches and refinements with their settings; `relief render --help` \
+    lists every flag.")]
 pub struct Arguments {
     /// Picture to write: PNG or JPEG in sRGB, EXR in linear light; - for standard output
     #[arg(short, long, value_name = "FILE.png|jpg|exr")]
@@ -106,8 +106,8 @@ fn show_help() -> String {
     let each: Vec<String> =
         QUANTITIES.iter().map(|quantity| format!("{} ({})", quantity.name, quantity.title)).collect();
     format!(
-        "Write numbers of each pixel in colours, with a legend, instead of the picture; several make a sheet: \
-         {}. Where the CPU renders `exact`, reads and steps count nodes and cells of the exact tracer",
+        "Write numbers of each pixel in colours, with a legend, instead of the picture; several make a \
+         sheet: {}. Where the CPU renders `exact`, reads and steps count nodes and cells of the exact tracer",
         each.join("; ")
     )
 }

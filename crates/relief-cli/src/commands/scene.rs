@@ -102,7 +102,6 @@ fn schema() -> Value {
 }
 
 fn of_key(key: &Key) -> Value {
-    let list = |item: Value, count: usize| json!({ "type": "array", "items": item, "minItems": count, "maxItems": count });
     let numbers = |kind: &str, count: usize| list(json!({ "type": kind }), count);
     let length = || json!({ "type": ["number", "string"] });
     let direction = || json!({ "oneOf": [numbers("number", 3), { "type": "string" }] });
@@ -125,7 +124,9 @@ fn of_key(key: &Key) -> Value {
         Form::Memory => json!({ "type": ["integer", "string"] }),
         Form::Settings => json!({
             "type": "object", "properties": settings(),
-            "additionalProperties": { "type": "object", "additionalProperties": { "type": ["number", "string"] } },
+            "additionalProperties": {
+                "type": "object", "additionalProperties": { "type": ["number", "string"] },
+            },
         }),
         Form::Material => json!({
             "type": "object", "additionalProperties": false,
@@ -159,6 +160,11 @@ fn of_key(key: &Key) -> Value {
     }
     schema["description"] = key.about.into();
     schema
+}
+
+/// A list of `count` items.
+fn list(item: Value, count: usize) -> Value {
+    json!({ "type": "array", "items": item, "minItems": count, "maxItems": count })
 }
 
 /// The settings of all variants, stage by stage.

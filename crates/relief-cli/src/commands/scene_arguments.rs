@@ -95,7 +95,12 @@ pub struct SceneArguments {
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh")]
     height: Option<PathBuf>,
     /// Volume to render instead of a height map: a KTX2 file of `relief volume`
-    #[arg(long, value_name = "FILE", help_heading = "Maps and mesh", conflicts_with_all = ["height", "object"])]
+    #[arg(
+        long,
+        value_name = "FILE",
+        help_heading = "Maps and mesh",
+        conflicts_with_all = ["height", "object"]
+    )]
     volume: Option<PathBuf>,
     /// Motif to render instead of a height map: a mesh of `relief motif`, or another closed mesh in a tile,
     /// which repeats on --mesh. x and z are 0 to 1 along the tile, y is the height from 0 to 1. Or a vector
@@ -336,8 +341,8 @@ impl SceneArguments {
         {
             let file = volume.display();
             return Err(Failure::Usage(format!(
-                "--volume: {file} is no volume: make the volume of a mesh or a height map with `relief volume {file} \
-                 -o NAME.ktx2`, and give that"
+                "--volume: {file} is no volume: make the volume of a mesh or a height map with `relief \
+                 volume {file} -o NAME.ktx2`, and give that"
             )));
         }
         self.check_motif()?;
@@ -362,7 +367,8 @@ impl SceneArguments {
                 String::new()
             };
             return Err(Failure::Usage(format!(
-                "{file} is read as {flag}, and another flag names the surface, too: leave one of them out{motif}"
+                "{file} is read as {flag}, and another flag names the surface, too: leave one of them \
+                 out{motif}"
             )));
         }
         let mut spec = self.flags();
@@ -400,8 +406,8 @@ impl SceneArguments {
                 Err(Failure::Usage(format!("--motif: {file} is a volume: give it with --volume")))
             }
             _ => Err(Failure::Usage(format!(
-                "--motif: {file} is neither a mesh nor a vector displacement map: give a GLB, OBJ, PLY or STL file, or an \
-                 EXR; `relief motif` makes meshes"
+                "--motif: {file} is neither a mesh nor a vector displacement map: give a GLB, OBJ, PLY or \
+                 STL file, or an EXR; `relief motif` makes meshes"
             ))),
         }
     }

@@ -125,23 +125,23 @@ fn short_help() -> String {
 fn after_help() -> String {
     let mut text = format!(
         "{EXAMPLES}\n\n\
-         Each target gets one file with a vertex and a fragment function: NAME.wgsl, NAME.hlsl, NAME.metal or \
-         NAME.spv. GLSL gets NAME.vert.glsl and NAME.frag.glsl, whose vertex shader is OpenGL's; Vulkan takes the \
-         SPIR-V. The functions draw a surface in a single pass. The triangles' corners come from storage \
-         buffers, each fragment's ray is traced through the relief, and its hit is shaded in linear colours. \
-         Other shaders can call the functions below them: shade_pixel is a whole pixel.\n\n\
+         Each target gets one file with a vertex and a fragment function: NAME.wgsl, NAME.hlsl, NAME.metal \
+         or NAME.spv. GLSL gets NAME.vert.glsl and NAME.frag.glsl, whose vertex shader is OpenGL's; Vulkan \
+         takes the SPIR-V. The functions draw a surface in a single pass. The triangles' corners come from \
+         storage buffers, each fragment's ray is traced through the relief, and its hit is shaded in linear \
+         colours. Other shaders can call the functions below them: shade_pixel is a whole pixel.\n\n\
          The comment at the head of each file, and NAME.json for programs, describe the bindings and their \
-         contents, the maps of `relief bake`, the layout of the buffers, the target's own names, and the initial \
-         values. A shader serves every map, mesh and setting: only --method and the other stages, --sampling \
-         and --depth change its code.\n\n\
+         contents, the maps of `relief bake`, the layout of the buffers, the target's own names, and the \
+         initial values. A shader serves every map, mesh and setting: only --method and the other stages, \
+         --sampling and --depth change its code.\n\n\
          --entry functions writes one text for each target instead, for the fragment shader of an engine: \
          PREFIX_hit says where a ray meets the relief, PREFIX_light how much of a light arrives there (with \
-         --shadow), PREFIX_tile and PREFIX_curvature make their inputs from derivatives. It has no vertices, no \
-         lights and no entry points. --wrap makes it smaller. Methods and surfaces that have no functions say \
-         which have.\n\n\
+         --shadow), PREFIX_tile and PREFIX_curvature make their inputs from derivatives. It has no vertices, \
+         no lights and no entry points. --wrap makes it smaller. Methods and surfaces that have no functions \
+         say which have.\n\n\
          With --group N all bindings are in that group, numbered from --first-binding in the order of \
-         NAME.json. Without it they are where relief's own shaders have them, and in GLSL storage buffers come \
-         first.\n\n\
+         NAME.json. Without it they are where relief's own shaders have them, and in GLSL storage buffers \
+         come first.\n\n\
          All files take their names at the end, or none does.\n\n\
          Profiles:\n"
     );

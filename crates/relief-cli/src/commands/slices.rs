@@ -54,7 +54,8 @@ const AFTER_HELP: &str = "Examples:\n  \
     alphaCutoff of a shell's material is the shell's height, so every viewer draws only what is high enough, \
     without a shader.\n\n\
     From the side one sees between the shells; more shells are closer together and cost more. `relief render \
-    --method slices-surface --set slices.count=N` shows the same, and `relief mesh` makes displaced triangles.";
+    --method slices-surface --set slices.count=N` shows the same, and `relief mesh` makes displaced \
+    triangles.";
 
 /// Bytes per texel: both pictures, and the PNG at most.
 const BYTES_PER_TEXEL: u64 = 16;

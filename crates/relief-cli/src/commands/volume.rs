@@ -52,11 +52,23 @@ pub struct Arguments {
     uncompressed: bool,
     /// Length of the heights 0 to 1, in metres or with a unit [default: as the mesh's proportions,
     /// the motif or the height map say, otherwise 5cm]
-    #[arg(long, value_name = "LENGTH", value_parser = units::length, allow_hyphen_values = true, help_heading = "Lengths")]
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        value_parser = units::length,
+        allow_hyphen_values = true,
+        help_heading = "Lengths"
+    )]
     scale: Option<f64>,
     /// Displacement of height 0 along the base's normal [default: 0; of a height map the map's; of
     /// a motif a little below 0, for its free voxels]
-    #[arg(long, value_name = "LENGTH", value_parser = units::length, allow_hyphen_values = true, help_heading = "Lengths")]
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        value_parser = units::length,
+        allow_hyphen_values = true,
+        help_heading = "Lengths"
+    )]
     bias: Option<f64>,
     /// Lengths of the tile along u and v [default: 1 m; of a height map as its file says]
     #[arg(
@@ -105,14 +117,14 @@ const AFTER_HELP: &str = "Examples:\n  relief volume spot.obj --size 128x128x128
     relief volume wall.png --size 128x128x64 -o wall.ktx2\n  \
     relief volume slice_%03d.png -o scan.ktx2\n  \
     relief volume sponge --size 64x64x32 -o sponge.ktx2\n\n\
-    A value is ½ less the distance to the surface in voxels, negative inside, divided by twice --reach, between 0 and \
-    1: the surface is at ½, and greater values are solid. Of pictures it is the opacity, or the grey of pictures \
-    without opacity; the first is \
-    number 0 or 1, and the last is before the first number without a file.\n\n\
-    A mesh must be closed. Where it is not, what lies below an odd number of faces is solid, and the open edges are \
-    counted. With --wrap repeat, parts beyond the tile's edges come back on the other side.\n\n\
-    The file is a 3-D texture in KTX2, slice 0 the lowest. It states scale, bias, tile and wrap; `relief inspect` shows \
-    them.";
+    A value is ½ less the distance to the surface in voxels, negative inside, divided by twice --reach, \
+    between 0 and 1: the surface is at ½, and greater values are solid. Of pictures it is the opacity, or \
+    the grey of pictures without opacity; the first is number 0 or 1, and the last is before the first \
+    number without a file.\n\n\
+    A mesh must be closed. Where it is not, what lies below an odd number of faces is solid, and the open \
+    edges are counted. With --wrap repeat, parts beyond the tile's edges come back on the other side.\n\n\
+    The file is a 3-D texture in KTX2, slice 0 the lowest. It states scale, bias, tile and wrap; `relief \
+    inspect` shows them.";
 
 /// Storage of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -291,8 +303,8 @@ impl Arguments {
         }
         let [width, height, slices] = size;
         Err(Failure::Work(format!(
-            "{width}x{height}x{slices} voxels need {} MiB of memory, more than the {} MiB allowed: make the volume \
-             smaller or raise --max-memory",
+            "{width}x{height}x{slices} voxels need {} MiB of memory, more than the {} MiB allowed: make the \
+             volume smaller or raise --max-memory",
             needed.div_ceil(1 << 20),
             self.max_bytes() >> 20
         )))

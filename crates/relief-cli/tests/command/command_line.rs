@@ -301,7 +301,8 @@ fn a_pipe_gets_text_and_nothing_else() {
     let lines = [
         &format!("render --height map.png {SMALL}") as &str,
         // Long enough for a bar to show.
-        "render --height map.png --backend cpu --size 1500x1200 --method relief --set search.steps=512 -o b.png",
+        "render --height map.png --backend cpu --size 1500x1200 --method relief --set search.steps=512 -o \
+         b.png",
         "inspect map.png",
         "methods",
         "shader --method cone --target wgsl,spirv -o shaders",

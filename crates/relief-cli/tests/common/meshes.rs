@@ -67,7 +67,8 @@ pub fn square(folder: &Folder, name: &str, primitives: &str, more: &str) {
     let views = views.collect::<Vec<String>>().join(", ");
     let accessor = |view: u32, count: u32, component: u32, kind: &str, more: &str| {
         format!(
-            r#"{{"bufferView": {view}, "count": {count}, "componentType": {component}, "type": "{kind}"{more}}}"#
+            r#"{{"bufferView": {view}, "count": {count}, "componentType": {component},
+                "type": "{kind}"{more}}}"#
         )
     };
     let colors = r#", "normalized": true"#;

@@ -23,7 +23,8 @@ fn map_folder() -> Folder {
 /// Renders a map with the method whose search reads a baked one.
 fn line(map: &str, flags: &str) -> String {
     format!(
-        "render --height {map} --look plain --method frustum --backend cpu --size 64x48 --output out.png {flags}"
+        "render --height {map} --look plain --method frustum --backend cpu --size 64x48 --output out.png \
+         {flags}"
     )
 }
 

@@ -218,8 +218,8 @@ fn a_gltf_has_its_own_colour_unless_another_is_given() {
     );
     let middle = |flags: &str| {
         let line = format!(
-            "render --height hills.png --mesh red.gltf --scale 0.001 --look plain --view top --size 32x32 --samples 1 \
-             --material specular=0,0,0 --backend cpu {flags} -o a.png"
+            "render --height hills.png --mesh red.gltf --scale 0.001 --look plain --view top --size 32x32 \
+             --samples 1 --material specular=0,0,0 --backend cpu {flags} -o a.png"
         );
         folder.relief(&line).fine();
         image::open(folder.path("a.png")).expect("a picture").to_rgb8().get_pixel(16, 16).0

@@ -136,7 +136,8 @@ fn extras_of_others_are_not_looked_at() {
 fn lengths_may_have_units() {
     let all = |scale: &str, bias: &str, tile: &str, position: &str| {
         let keys = format!(
-            r#""height": "maps/hills.png", "scale": {scale}, "bias": {bias}, "tile-size": {tile}, "position": {position}"#
+            r#""height": "maps/hills.png", "scale": {scale}, "bias": {bias},
+            "tile-size": {tile}, "position": {position}"#
         );
         folder(&[&material(&format!(r#"{{"relief": {{{keys}}}}}"#))])
     };

@@ -14,8 +14,8 @@ fn map_folder() -> Folder {
     folder
 }
 
-const FLAGS: &str = "--height map.png --method relief --set search.steps=24 --scale 3cm --mesh torus --tile 6,2 \
-    --view front --samples 2 --size 40x30 --material shininess=9 --point-light 0,2,0 --backend cpu";
+const FLAGS: &str = "--height map.png --method relief --set search.steps=24 --scale 3cm --mesh torus --tile \
+    6,2 --view front --samples 2 --size 40x30 --material shininess=9 --point-light 0,2,0 --backend cpu";
 
 #[test]
 fn a_scene_file_of_flags_renders_the_same_picture() {

@@ -70,7 +70,8 @@ fn a_block_is_the_solid_between_its_bottom_and_its_relief() {
         let target = DVec3::new(0.0, -0.15, 0.0);
         let [from, to] = [eye, target].map(|point| format!("{},{},{}", point.x, point.y, point.z));
         let line = format!(
-            "render map.png --backend cpu --samples 1 --size {}x{} --scale {SCALE_M} --eye={from} --target={to}",
+            "render map.png --backend cpu --samples 1 --size {}x{} --scale {SCALE_M} --eye={from} \
+             --target={to}",
             SIZE[0], SIZE[1]
         );
         let pixels = (0..SIZE[0] * SIZE[1]).map(|at| block.first(eye, target, at % SIZE[0], at / SIZE[0]));

@@ -243,7 +243,8 @@ fn light_goes_through_masks() {
         folder.write(
             "scene.toml",
             format!(
-                "look = 'plain'\nsize = [48, 48]\nsamples = 1\nprojection = 'orthographic'\neye = [0.5, 0.5, 3]\n\
+                "look = 'plain'\nsize = [48, 48]\nsamples = 1\nprojection = 'orthographic'\n\
+                 eye = [0.5, 0.5, 3]\n\
                  target = [0.5, 0.5, -1]\nview-height = 3\nbackend = 'cpu'\n\
                  lights = [{{ direction = [1, 0, 1] }}]\n\
                  [[surfaces]]\nheight = 'plane.png'\nscale = 0.000001\nrotation = [90, 0, 0]\n\
@@ -266,9 +267,9 @@ fn an_impostor_of_a_leaf_is_as_large_as_its_disc() {
     let mesh = card(&folder, "MASK");
     let ran = folder.relief(&format!("capture {mesh} --views octahedral --size 64 --verify 0 -o leaf"));
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
-    let line = "render --object leaf/object.toml --method impostor-blend --projection orthographic \
-                --eye 0.5,0.5,3 --target 0.5,0.5,0 --view-height 1 --size 80x80 --samples 1 --look plain --light 0,0,1 \
-                --backend cpu -o impostor.png";
+    let line = "render --object leaf/object.toml --method impostor-blend --projection orthographic --eye \
+                0.5,0.5,3 --target 0.5,0.5,0 --view-height 1 --size 80x80 --samples 1 --look plain --light \
+                0,0,1 --backend cpu -o impostor.png";
     let ran = folder.relief(line);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     let picture = image::open(folder.path("impostor.png")).expect("a picture").into_rgb8();

@@ -245,7 +245,8 @@ const FEEDS: &[Feed] = &[
     ("idle-factor", |folder| {
         folder.write("map.pgm", "P2 2 1 255 51 255");
         folder.write("black.pgm", "P2 2 1 255 0 0");
-        "render --height map.pgm --metallic black.pgm --material metallic=1 --size 8x8 --backend cpu -o out.jpg"
+        "render --height map.pgm --metallic black.pgm --material metallic=1 --size 8x8 --backend cpu -o \
+         out.jpg"
     }),
     ("orientation-in-gltf", |folder| {
         let line = painted(folder, "", "", "");
@@ -260,7 +261,8 @@ const FEEDS: &[Feed] = &[
 fn painted(folder: &Folder, info: &str, material: &str, sampler: &str) -> &'static str {
     folder.write("map.png", integers(0, 65535));
     let more = format!(
-        r#", "materials": [{{"pbrMetallicRoughness": {{"baseColorTexture": {{"index": 0{info}}}}}{material}}}],
+        r#", "materials":
+        [{{"pbrMetallicRoughness": {{"baseColorTexture": {{"index": 0{info}}}}}{material}}}],
         "images": [{{"uri": "map.png"}}], "textures": [{{"source": 0, "sampler": 0}}],
         "samplers": [{{{sampler}}}]"#
     );

@@ -312,11 +312,13 @@ fn files_that_come_in_are_recognised() {
 fn files_that_go_out_are_those_of_the_commands() {
     let folder = Folder::new();
     shipped(&folder, &["cobbles.png"]);
-    let line = "cobbles.png --method cone --surface quadric-vertical --shadow ray --mesh torus --size 24x18 --backend cpu";
+    let line = "cobbles.png --method cone --surface quadric-vertical --shadow ray --mesh torus --size 24x18 \
+                --backend cpu";
     let page = Page::open(&folder, line);
     page.picture(WHOLE);
     folder.relief(&format!("render {line} -q -o out.exr --aov aov.exr")).fine();
-    let functions = "shader --entry functions --method cone --surface quadric-vertical --shadow ray --name relief -q -o out";
+    let functions = "shader --entry functions --method cone --surface quadric-vertical --shadow ray --name \
+                     relief -q -o out";
     folder.relief(&format!("{functions} --target wgsl,godot,hlsl,glsl,msl")).fine();
     let state: Value = serde_json::from_slice(&page.get("state")).expect("JSON");
     for saved in state["saves"].as_array().expect("a list") {

@@ -164,7 +164,8 @@ fn a_scene_finds_the_files_that_came_with_it() {
 fn functions_are_of_the_surface_that_is_asked_for_with_its_settings() {
     let folder = Folder::new();
     shipped(&folder, &["cobbles.png"]);
-    let two = "height = \"cobbles.png\"\nshadow = \"ray\"\n[[surfaces]]\nmethod = \"cone\"\n[[surfaces]]\nmethod = \"relief\"\n\
+    let two = "height = \"cobbles.png\"\nshadow = \"ray\"\n[[surfaces]]\nmethod = \"cone\"\n[[surfaces]]\n\
+               method = \"relief\"\n\
                set.search.steps = 6\n";
     folder.write("two.toml", two);
     let page = Page::open(&folder, "two.toml --backend cpu");

@@ -105,8 +105,8 @@ fn flags_say_what_scene_files_say() {
     );
     folder.relief("render scene.toml -o a.png").fine();
     let flags = "--samples 2 --exposure 0.5 --tone agx --view front --fov 25 --background 0.1,0.2,0.3 \
-         --ambient 0.2,0.1,0.1 --material diffuse=0.5,0.4,0.3 --material shininess=9 --light 1,2,3 --point-light \
-         0,1,0,0.5,0.25,1 --mesh torus";
+         --ambient 0.2,0.1,0.1 --material diffuse=0.5,0.4,0.3 --material shininess=9 --light 1,2,3 \
+         --point-light 0,1,0,0.5,0.25,1 --mesh torus";
     folder.relief(&format!("{SMALL} -o b.png {flags}")).fine();
     let read = |name: &str| fs::read(folder.path(name)).expect("it was written");
     assert!(read("a.png") == read("b.png"));
@@ -194,8 +194,8 @@ fn what_cannot_be_pictured_is_refused() {
 fn a_picture_that_is_given_up_leaves_nothing() {
     let folder = map_folder();
     fs::write(folder.path("x.png"), "before").expect("writable");
-    let line = "render --height map.png --look plain --backend cpu --size 1500x1500 --samples 64 --method relief -o x.png \
-         --aov x.exr";
+    let line = "render --height map.png --look plain --backend cpu --size 1500x1500 --samples 64 --method \
+         relief -o x.png --aov x.exr";
     for (signal, code) in [("-INT", Some(1)), ("-TERM", Some(1)), ("-KILL", None)] {
         let mut command = folder.command();
         command.args(line.split_ascii_whitespace());

@@ -76,7 +76,8 @@ fn what_is_framed_stays_in_the_picture() {
 fn a_script_with_a_fault_leaves_nothing_behind() {
     for (script, words) in [
         (
-            "[{ \"do\": \"picture\", \"file\": \"a.png\" }, { \"do\": \"set\", \"key\": \"samples\", \"value\": \"5000\" }]",
+            "[{ \"do\": \"picture\", \"file\": \"a.png\" }, { \"do\": \"set\", \"key\": \"samples\", \
+             \"value\": \"5000\" }]",
             "action 2: samples",
         ),
         ("[{ \"do\": \"set\", \"key\": \"scal\", \"value\": \"1\" }]", "'scale'"),

@@ -10,8 +10,8 @@ impl Figure {
         let [width, height] = self.size;
         let [[left, top], [right, bottom]] = self.frame;
         let mut text = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-             viewBox=\"0 0 {width} {height}\" font-family=\"'Noto Sans Mono', 'DejaVu Sans Mono', monospace\">\n\
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 \
+             {width} {height}\" font-family=\"'Noto Sans Mono', 'DejaVu Sans Mono', monospace\">\n\
              <rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n\
              <clipPath id=\"frame\"><rect x=\"{left:.1}\" y=\"{top:.1}\" width=\"{:.1}\" height=\"{:.1}\"/>\
              </clipPath>\n<g clip-path=\"url(#frame)\">\n",
@@ -71,8 +71,8 @@ fn write(out: &mut String, shape: &Shape) {
             let escaped = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
             writeln!(
                 out,
-                "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"{:.1}\" fill=\"{}\" text-anchor=\"{anchor}\">{escaped}\
-                 </text>",
+                "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"{:.1}\" fill=\"{}\" \
+                 text-anchor=\"{anchor}\">{escaped}</text>",
                 size.advance() / ADVANCE,
                 hex(*color)
             )

@@ -106,7 +106,10 @@ fn table(records: &Records) -> Markup {
     html! {
         h2 { "All results" }
         p.controls {
-            label { "show only rows with " input #filter placeholder="a method, an angle, a scale" size="30"; }
+            label {
+                "show only rows with "
+                input #filter placeholder="a method, an angle, a scale" size="30";
+            }
             span #count {}
         }
         div.wide {

@@ -68,7 +68,8 @@ const grouped = () => {
   const before = rows.value;
   const has = (row) => [across, up].every((select) => Number.isFinite(figure(row, select.value)));
   const groups = [...new Set([...body.rows].filter(has).map(groupOf))];
-  // A plot begins with rays between 30 and 60 degrees, at which reliefs are mostly seen, and the greatest scale.
+  // A plot begins with rays between 30 and 60 degrees, at which reliefs are mostly
+  // seen, and the greatest scale.
   const isUsual = (row) => figure(row, 'angle_deg') >= 30 && figure(row, 'angle_deg') <= 60;
   const ofRays = (some) => [...new Set([...body.rows].filter((row) => has(row) && some(row)).map(groupOf))]
     .filter((group) => group.startsWith('rays'));

@@ -45,8 +45,8 @@ impl Volume {
         self.cell(cell).value(part)
     }
 
-    /// The derivatives of the field along `u`, `v` and `h` at `[u, v, h]`. On a face between two cells the cell
-    /// behind the face counts, along rising `u`, `v` and `h`.
+    /// The derivatives of the field along `u`, `v` and `h` at `[u, v, h]`. On a face between two cells the
+    /// cell behind the face counts, along rising `u`, `v` and `h`.
     pub fn gradient_at(&self, at: [f64; 3]) -> [f64; 3] {
         let (cell, part) = self.cell_at(at);
         let slopes = self.cell(cell).gradient(part);

@@ -78,7 +78,8 @@ pub enum VolumeError {
     },
     /// A value is NaN, infinite, or outside `[0, 1]`.
     #[error(
-        "voxel ({}, {}, {}) is {value}: values must be finite and between 0 and 1", voxel[0], voxel[1], voxel[2]
+        "voxel ({}, {}, {}) is {value}: values must be finite and between 0 and 1",
+        voxel[0], voxel[1], voxel[2]
     )]
     OutOfRange {
         /// Column, row and slice of the first such voxel.

@@ -20,8 +20,8 @@ impl Volume {
     /// The first hit of a path: the least `t` in `[0, exit]` at which the field is [`SURFACE`](Self::SURFACE)
     /// or more. A path that begins in the solid hits at 0.
     ///
-    /// The parameters at which the path crosses a plane between cells are sorted. Between two of them the field
-    /// is a polynomial of degree 4, whose first root is isolated by halving its control polygon.
+    /// The parameters at which the path crosses a plane between cells are sorted. Between two of them the
+    /// field is a polynomial of degree 4, whose first root is isolated by halving its control polygon.
     ///
     /// A path is a miss if it does not end, or if it is longer than the exact tracers of height maps follow.
     pub fn first_hit(&self, path: &Path) -> Option<VolumeHit> {
@@ -44,8 +44,8 @@ impl Volume {
         self.root_between(&way, 0.0, path.exit, halvings)
     }
 
-    /// The least gap of the field to the surface along a path, at equal steps: how clearly it misses. Negative
-    /// where the path enters the solid.
+    /// The least gap of the field to the surface along a path, at equal steps: how clearly it misses.
+    /// Negative where the path enters the solid.
     pub fn least_gap(&self, path: &Path, steps: u32) -> f64 {
         let gap =
             |k: u32| Self::SURFACE - self.value_at(path.at(path.exit * f64::from(k) / f64::from(steps)));

@@ -91,8 +91,8 @@ pub struct ExportedFunctions {
 ///
 /// # Errors
 ///
-/// When the stages do not go together or have no functions in that form, when the prefix is no name, or when a
-/// target cannot express them.
+/// When the stages do not go together or have no functions in that form, when the prefix is no name, or when
+/// a target cannot express them.
 ///
 /// # Examples
 ///
@@ -164,8 +164,8 @@ fn check(selection: &Selection, form: Form) -> Result<(), ExportError> {
         Err(ExportError::NoFunctions { stage, entry, key: STAGES[place].key, reason })
     };
     if selection.geometry().is_some() {
-        let reason = "its triangles are made on the CPU, and no ray is traced through a relief on them: choose a \
-                      method that traces rays, as 'cone' or 'relief'";
+        let reason = "its triangles are made on the CPU, and no ray is traced through a relief on them: \
+                      choose a method that traces rays, as 'cone' or 'relief'";
         return refused(GEOMETRY, reason.to_owned());
     }
     if selection.is_translucent() {
@@ -249,8 +249,8 @@ impl Reduced {
     }
 }
 
-/// Leaves out structs without members, and the members that have such a type. No value is made of them: one that
-/// is read keeps its members.
+/// Leaves out structs without members, and the members that have such a type. No value is made of them: one
+/// that is read keeps its members.
 fn without_empty_structs(unit: &mut Unit) {
     let is_empty = |item: &Item| matches!(&item.kind, ItemKind::Struct(of) if of.members.is_empty());
     while let Some(place) = unit.items.iter().position(is_empty) {

@@ -122,16 +122,15 @@ const FOLDED: &str = "SHELL_FOLDED";
 
 /// Takes shells for such that do not overlap themselves.
 pub fn fix_unfolded(unit: &mut Unit) {
+    let is_limit = |part: &Expression| matches!(part, Expression::Name(name) if name == FOLDED);
     for function in unit.functions_mut() {
         change_expressions(&mut function.body, &mut |part| {
             let is_folded = match part {
-                Expression::Binary(sign, _, limit) if matches!(&**limit, Expression::Name(name) if name == FOLDED) => {
-                    match *sign {
-                        "<" => Some(false),
-                        ">=" => Some(true),
-                        _ => None,
-                    }
-                }
+                Expression::Binary(sign, _, limit) if is_limit(limit) => match *sign {
+                    "<" => Some(false),
+                    ">=" => Some(true),
+                    _ => None,
+                },
                 _ => None,
             };
             if let Some(is_folded) = is_folded {

@@ -14,12 +14,12 @@ pub fn unreal_input(texture: &str) -> String {
 }
 
 /// Returns the code of a Custom node of Unreal Engine for functions with the prefix `relief`, in the form
-/// [`Form::Tangent`](crate::Form::Tangent). The code gives textures and settings to the functions, and calls them
-/// through `relief_surface.ush`, which `relief engine unreal` writes.
+/// [`Form::Tangent`](crate::Form::Tangent). The code gives textures and settings to the functions, and calls
+/// them through `relief_surface.ush`, which `relief engine unreal` writes.
 ///
-/// Its inputs are `UV`, `Way`, `Normal`, `PixelDepth`, `Scale`, `Sun` if the relief has a shadow on itself, and the
-/// textures by the names of [`unreal_input`]. `tile` is the size of the tile that maps of the surface were baked
-/// with, in centimetres.
+/// Its inputs are `UV`, `Way`, `Normal`, `PixelDepth`, `Scale`, `Sun` if the relief has a shadow on itself,
+/// and the textures by the names of [`unreal_input`]. `tile` is the size of the tile that maps of the surface
+/// were baked with, in centimetres.
 ///
 /// # Examples
 ///

@@ -35,8 +35,8 @@ pub enum ColorTableProblem {
     },
     /// A line has too few fields.
     #[error(
-        "'{text}' is no entry, with {fields} field{}: give an elevation, and red, green and blue (0 to 255), a name \
-         or #rrggbb, as in 200 0 128 64",
+        "'{text}' is no entry, with {fields} field{}: give an elevation, and red, green and blue (0 to 255), \
+         a name or #rrggbb, as in 200 0 128 64",
         if *fields == 1 { "" } else { "s" }
     )]
     TooFew {

@@ -8,7 +8,10 @@ use std::path::PathBuf;
 #[derive(Debug, thiserror::Error)]
 pub enum FileSetError {
     /// The folder cannot be created or written into.
-    #[error("{}: cannot write into this folder ({source}): check its permissions, or give another one", folder.display())]
+    #[error(
+        "{}: cannot write into this folder ({source}): check its permissions, or give another one",
+        folder.display()
+    )]
     Folder {
         /// The folder.
         folder: PathBuf,
@@ -17,7 +20,8 @@ pub enum FileSetError {
     },
     /// Another process works on the same files, and the caller stopped waiting.
     #[error(
-        "{}: another process is writing the files of '{name}' into this folder: wait until it has ended, or end it",
+        "{}: another process is writing the files of '{name}' into this folder: wait until it has ended, or \
+         end it",
         folder.display()
     )]
     Busy {
@@ -36,7 +40,10 @@ pub enum FileSetError {
     #[error("{}: cannot be written: it is not a regular file: give another name", .0.display())]
     NoFile(PathBuf),
     /// Links lead to each other in a circle.
-    #[error("{}: cannot be written: it is a link that leads nowhere: remove the link or give another name", .0.display())]
+    #[error(
+        "{}: cannot be written: it is a link that leads nowhere: remove the link or give another name",
+        .0.display()
+    )]
     EndlessLink(PathBuf),
     /// Two outputs are the same file.
     #[error("{}: two outputs would be written to this file: give them different names", .0.display())]
@@ -54,8 +61,8 @@ pub enum FileSetError {
     },
     /// Neither the old nor the new state could be reached.
     #[error(
-        "{}: some files beside this folder are new and some are old, because of an error ({source}): fix it and run again, which \
-         finishes the work, or remove this folder to leave the files as they are",
+        "{}: some files beside this folder are new and some are old, because of an error ({source}): fix it \
+         and run again, which finishes the work, or remove this folder to leave the files as they are",
         staging.display()
     )]
     Stuck {

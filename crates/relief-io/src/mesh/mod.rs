@@ -301,7 +301,8 @@ fn read_raw(source: Source<'_>, options: &MeshOptions) -> Result<Read, ReadProbl
             obj::read(&bytes, &mut builder)?;
             let names_materials = |line: &[u8]| line.trim_ascii_start().starts_with(b"mtllib ");
             if options.colors && bytes.split(|byte| matches!(byte, b'\n' | b'\r')).any(names_materials) {
-                let what = "the materials of its .mtl file are not read: convert it to .glb, which holds its materials";
+                let what = "the materials of its .mtl file are not read: convert it to .glb, which holds its \
+                            materials";
                 notes.push(Remark::new(&omissions::MTL, what));
             }
         }

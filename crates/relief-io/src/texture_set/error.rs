@@ -80,8 +80,10 @@ pub enum TextureSetError {
         else { format!("it has {}", listed(recognised)) },
         match &unnamed[..] {
             [] => "add one, named as NAME_height.png".to_owned(),
-            [one] => format!("if {one} is the height map, name it as the height, or rename it as in NAME_height.png"),
-            several => format!("if one of {} is the height map, name it as the height, or rename it as in NAME_height.png", listed(several)),
+            [one] => format!("if {one} is the height map, name it as the height, or rename it as in \
+                              NAME_height.png"),
+            several => format!("if one of {} is the height map, name it as the height, or rename it as in \
+                                NAME_height.png", listed(several)),
         }
     )]
     NoHeight {

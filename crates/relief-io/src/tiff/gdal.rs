@@ -123,8 +123,9 @@ mod tests {
 
     #[test]
     fn items_are_found_with_their_attributes() {
-        let xml = "<GDALMetadata>\n <Item name=\"A\"/>\n <Item name='SCALE' sample = \"0\" role=\"scale\"> 0.5 </Item>\
-                   <Item name=\"x=y\" role=\"unittype\" sample=\"1\">us-ft &amp; more</Item></GDALMetadata>";
+        let xml = "<GDALMetadata>\n <Item name=\"A\"/>\n \
+                   <Item name='SCALE' sample = \"0\" role=\"scale\"> 0.5 </Item><Item name=\"x=y\" \
+                   role=\"unittype\" sample=\"1\">us-ft &amp; more</Item></GDALMetadata>";
         let found: Vec<_> = Items(xml)
             .map(|item| [item.attribute("role"), item.attribute("sample"), Some(item.text.trim())])
             .collect();

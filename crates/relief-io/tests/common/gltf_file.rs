@@ -74,7 +74,8 @@ impl Gltf {
         self.views.push(format!(r#"{{"buffer": 0, "byteOffset": {from}, "byteLength": {len}}}"#));
         let count = count / parts;
         self.accessors.push(format!(
-            r#"{{"bufferView": {view}, "componentType": {component}, "count": {count}, "type": "{kind}"{more}}}"#
+            r#"{{"bufferView": {view}, "componentType": {component}, "count": {count},
+            "type": "{kind}"{more}}}"#
         ));
         view
     }

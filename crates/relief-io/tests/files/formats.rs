@@ -187,8 +187,8 @@ fn headerless_samples_of_either_byte_order() {
     }
 }
 
-/// A palette with more opacities than colours is read as opaque, with a note, at every depth; fewer or as many
-/// are followed. So is the transparent colour of others, which has a note where it is too long.
+/// A palette with more opacities than colours is read as opaque, with a note, at every depth; fewer or as
+/// many are followed. So is the transparent colour of others, which has a note where it is too long.
 #[test]
 fn too_much_opacity_has_a_note() {
     let palette = |depth, count: usize, opacities: usize| {

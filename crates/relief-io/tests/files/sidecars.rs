@@ -107,7 +107,9 @@ fn systems_are_read_as_text() {
     folder.file("dem.tfw", WORLD.as_bytes());
     let projected = |unit: &str| {
         format!(
-            "PROJCRS[\"own\",BASEGEOGCRS[\"own\",DATUM[\"own\",ELLIPSOID[\"own\",6378137,0,LENGTHUNIT[\"metre\",1]]]],CONVERSION[\"own\"],CS[Cartesian,2],AXIS[\"(E)\",east,ORDER[1],{unit}],AXIS[\"(N)\",north,ORDER[2],{unit}]]"
+            "PROJCRS[\"own\",BASEGEOGCRS[\"own\",DATUM[\"own\",ELLIPSOID[\"own\",6378137,0,LENGTHUNIT[\"metre\",1]]]],\
+             CONVERSION[\"own\"],CS[Cartesian,2],\
+             AXIS[\"(E)\",east,ORDER[1],{unit}],AXIS[\"(N)\",north,ORDER[2],{unit}]]"
         )
     };
     let vertical = "VERT_CS[\"NAVD88\",VERT_DATUM[\"NAVD88\",2005],UNIT[\"foot\",0.3048],AXIS[\"Up\",UP]]";
@@ -139,7 +141,8 @@ fn systems_are_read_as_text() {
         assert_eq!(read(&path).texel(0, 0), f32::from(u8::from(is_depth)), "{text}");
     }
     // Web Mercator is recognised by its name, degrees by the kind of system.
-    let web = "PROJCS[\"WGS_1984_Web_Mercator_Auxiliary_Sphere\",PROJECTION[\"Mercator_Auxiliary_Sphere\"],UNIT[\"Meter\",1.0]]";
+    let web = "PROJCS[\"WGS_1984_Web_Mercator_Auxiliary_Sphere\",PROJECTION[\"Mercator_Auxiliary_Sphere\"],\
+               UNIT[\"Meter\",1.0]]";
     let degrees = "GEOGCS[\"WGS 84\",UNIT[\"degree\",0.0174532925199433]]";
     for (text, world, system) in [
         (web, WORLD, CoordinateSystem::WebMercator),
@@ -191,8 +194,8 @@ fn aux_xml_wins_over_the_file() {
     // A picture without georeference stays a picture.
     let grey = png(2, 2, ::png::ColorType::Grayscale, ::png::BitDepth::Eight, &[10, 20, 30, 40]);
     let grey = folder.file("grey.png", &grey);
-    let statistics = "<PAMDataset><SRS>EPSG:32633</SRS><PAMRasterBand band=\"1\"><Metadata><MDI key=\"STATISTICS_MEAN\">\
-                      3</MDI></Metadata></PAMRasterBand></PAMDataset>";
+    let statistics = "<PAMDataset><SRS>EPSG:32633</SRS><PAMRasterBand band=\"1\"><Metadata><MDI \
+                      key=\"STATISTICS_MEAN\">3</MDI></Metadata></PAMRasterBand></PAMDataset>";
     folder.file("grey.png.aux.xml", statistics.as_bytes());
     assert_eq!((read(&grey).physical_range(), read(&grey).wrap()), (Some([0.0, 255.0]), Wrap::Repeat));
 }

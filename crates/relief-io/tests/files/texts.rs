@@ -112,8 +112,8 @@ fn line_ends_of_all_systems_are_read() {
         }
     }
     // Its first number begins with a line feed, which ends no line.
-    let header = "ply\rformat binary_little_endian 1.0\relement vertex 3\rproperty float x\rproperty float y\r\
-                  property float z\relement face 1\rproperty list uchar int vertex_indices\rend_header\r";
+    let header = "ply\rformat binary_little_endian 1.0\relement vertex 3\rproperty float x\rproperty float \
+                  y\rproperty float z\relement face 1\rproperty list uchar int vertex_indices\rend_header\r";
     let first = f32::from_le_bytes([b'\n', 0, 0, 0]);
     let numbers = [first, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0].map(f32::to_le_bytes).concat();
     let face = [&[3][..], &[0u32, 1, 2].map(u32::to_le_bytes).concat()].concat();
@@ -160,7 +160,8 @@ fn pyramid(order: &[&str]) -> String {
     for &name in order {
         let (element, numbers) = match name {
             "vertex" => (
-                "element vertex 5\nproperty float x\nproperty float y\nproperty float z\nproperty float u\nproperty float v\n",
+                "element vertex 5\nproperty float x\nproperty float y\nproperty float z\nproperty float u\n\
+                 property float v\n",
                 "0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n0 1 0 0 1\n0.5 0.5 1 0.5 0.5\n",
             ),
             "face" => ("element face 1\nproperty list uchar int vertex_indices\n", "4 0 1 2 3\n"),

@@ -24,7 +24,10 @@ pub enum VectorSheetError {
         vectors: usize,
     },
     /// A vector is not finite or reaches too far.
-    #[error("the vector at ({column}, {row}) moves its point by {tiles} tiles, more than {far}", far = VectorSheet::FAR)]
+    #[error(
+        "the vector at ({column}, {row}) moves its point by {tiles} tiles, more than {far}",
+        far = VectorSheet::FAR
+    )]
     Far {
         /// Its column.
         column: u32,
@@ -38,7 +41,8 @@ pub enum VectorSheetError {
 /// A sheet in the space of a tile.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VectorSheet {
-    /// The sheet: positions `(u, height, v)` as of every motif, with smooth normals and two triangles a texel.
+    /// The sheet: positions `(u, height, v)` as of every motif, with smooth normals
+    /// and two triangles a texel.
     pub mesh: RawMesh,
     /// What the heights 0 and 1 are, in tiles above the surface that was displaced: a little below its lowest
     /// point and a little above its highest.
@@ -53,8 +57,8 @@ impl VectorSheet {
     pub const FAR: f64 = 14.0;
 }
 
-/// Makes a sheet of vectors, row by row from the top of the map: parts of each along `u`, along the height and
-/// along `v`, which runs down the map, all in tiles.
+/// Makes a sheet of vectors, row by row from the top of the map: parts of each along `u`, along the height
+/// and along `v`, which runs down the map, all in tiles.
 ///
 /// A point lies at each texel's centre, moved by its vector. The sheet goes on across the tile's edges to the
 /// points of the tiles beside it, so that all tiles together are one sheet. A quad is cut along its shorter

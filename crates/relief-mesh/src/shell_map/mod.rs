@@ -109,7 +109,8 @@ pub enum ShellMapError {
     Mesh(#[from] MeshError),
     /// The result would be too large.
     #[error(
-        "the mesh would have about {expected} triangles, more than {most}: give larger tiles, or a simpler motif"
+        "the mesh would have about {expected} triangles, more than {most}: give larger tiles, or a simpler \
+         motif"
     )]
     TooLarge {
         /// About how many triangles there would be.

@@ -7,8 +7,8 @@ use relief_core::Cancelled;
 pub enum SliceError {
     /// All slices would lie in one place.
     #[error(
-        "its slices would lie in one place: they need a displacement, and texture coordinates that define their \
-         spacing"
+        "its slices would lie in one place: they need a displacement, and texture coordinates that define \
+         their spacing"
     )]
     NoSpacing,
     /// No border of a texture clips the slices.

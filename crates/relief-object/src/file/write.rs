@@ -349,7 +349,8 @@ fn text(
 fn measured_text(measured: &Measured) -> String {
     let Measured { views, size, cells, jump_texels, iou, worst_from, worst_iou, .. } = *measured;
     let mut text = format!(
-        "# Compared with the mesh in {views} pictures of {size} x {size} pixels. 'iou': pixels that show both,\n\
+        "# Compared with the mesh in {views} pictures of {size} x {size} pixels. 'iou': pixels that show \
+         both,\n\
          # divided by pixels that show either. 'depth-error': mean distance where both are visible, in\n\
          # percent of the ball's diameter.\n\
          [measured]\nviews = {views}\nsize = {size}\ncells = \"{cells}\"\njump = {jump_texels}\niou = {iou}\n"

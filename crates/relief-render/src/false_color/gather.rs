@@ -15,8 +15,8 @@ pub trait Judge: Sync {
     /// [`NOT_COMPARABLE`]. `number` is the pixel's, row by row from the top.
     fn of_hit(&self, quantity: &Quantity, number: usize, pixel: &PixelOut) -> f32;
 
-    /// Returns the values of a [quantity of colours](ValueOf::OfColors) at all pixels, from the picture's linear
-    /// colours.
+    /// Returns the values of a [quantity of colours](ValueOf::OfColors) at all pixels, from the
+    /// picture's linear colours.
     fn of_colors(&self, quantity: &Quantity, linear: &[[f32; 3]]) -> Vec<f32>;
 }
 

@@ -47,8 +47,8 @@ pub enum GpuError {
     },
     /// A row of the picture, with what it sees of every translucent surface, does not fit a buffer.
     #[error(
-        "{surfaces} translucent surfaces in a picture {width} pixels wide are more than the GPU takes; use fewer \
-         surfaces, a smaller picture or the CPU"
+        "{surfaces} translucent surfaces in a picture {width} pixels wide are more than the GPU takes; use \
+         fewer surfaces, a smaller picture or the CPU"
     )]
     TooManyTranslucent {
         /// Translucent surfaces.
@@ -138,13 +138,16 @@ pub enum GpuError {
 fn no_adapter(wanted: AdapterChoice) -> &'static str {
     match wanted {
         AdapterChoice::Real => {
-            "no hardware GPU was found; install its Vulkan driver, allow software adapters, or render on the CPU"
+            "no hardware GPU was found; install its Vulkan driver, allow software adapters, or render on the \
+             CPU"
         }
         AdapterChoice::Software => {
-            "no software GPU was found; install one (Mesa's lavapipe: mesa-vulkan-drivers on Debian and Ubuntu)"
+            "no software GPU was found; install one (Mesa's lavapipe: mesa-vulkan-drivers on Debian and \
+             Ubuntu)"
         }
         AdapterChoice::Any => {
-            "no GPU was found; install a Vulkan driver (mesa-vulkan-drivers on Debian and Ubuntu), or render on the CPU"
+            "no GPU was found; install a Vulkan driver (mesa-vulkan-drivers on Debian and Ubuntu), or render \
+             on the CPU"
         }
     }
 }

@@ -2,37 +2,28 @@
 //! shades each pixel in which the surface is the nearest so far. With several samples, this is done
 //! for each sample, and the results are added up.
 
+mod passes;
+mod prepare;
 mod time;
-
-use std::borrow::Cow;
 
 use rayon::prelude::*;
 use relief_core::{Cancelled, Watch};
 use relief_shaders::MapNeed;
 use relief_shaders::cpu::{PixelOut, Record, Shared};
-use relief_shaders::wgsl::{SHADE_GROUP, Sampling};
-use wgpu::{
-    BindGroup, Color, CommandEncoder, ComputePipeline, Features, LoadOp, Operations,
-    RenderPassColorAttachment, RenderPassDepthStencilAttachment, RenderPassDescriptor,
-    RenderPassTimestampWrites, RenderPipeline, StoreOp, Texture,
-};
+use relief_shaders::wgsl::Sampling;
+use wgpu::Texture;
 
-use super::draw_call::{DrawCall, check_triangles};
-use super::light_map::{Caster, Frames, LightMap};
-use super::pass_clock::{PassClock, PassKind, Timed, timed_compute};
-use super::programs::{Composer, Programs, Viewer};
-use super::resident::{Common, Resident};
-use super::stencil::Counted;
-use super::targets::{self, Band, Pass, Targets};
+use self::passes::{Passes, dispatch, submit_band};
+use super::light_map::{Frames, LightMap};
+use super::programs::Programs;
+use super::resident::Resident;
+use super::targets::{self, Band, Targets};
 use super::textures::Precision;
 use super::wait::block_on;
-use super::{Gpu, GpuError, pyramid, tessellate};
+use super::{Gpu, GpuError, pyramid};
 use crate::cpu::tessellated::TessellatedCache;
-use crate::job::{Job, JobSurface, Rendering};
-use crate::samples::{Sample, samples};
-
-/// Offset of the camera's frame in the buffer of all frames.
-const CAMERA: u32 = 0;
+use crate::job::{Job, Rendering};
+use crate::samples::samples;
 
 /// Renders jobs on a GPU and caches there what they share. A second frame of the same surfaces
 /// uploads a camera and compiles nothing.
@@ -60,59 +51,6 @@ pub struct Work {
     pub compiled: u32,
     /// Baked maps built on the GPU.
     pub built: u64,
-}
-
-/// Programs of a surface's passes.
-enum SurfaceProgram {
-    /// Tracing, then shading.
-    Trace(Tracer, ComputePipeline),
-    /// Gathering the light of a translucent surface.
-    Gather(ComputePipeline),
-}
-
-/// Programs that trace a surface.
-enum Tracer {
-    /// One program.
-    Whole(RenderPipeline),
-    /// Programs that go slice by slice and image by image.
-    Counted(Counted),
-}
-
-/// Surface ready to be drawn.
-struct DrawableSurface {
-    trace: Tracer,
-    shade: ComputePipeline,
-    maps: BindGroup,
-    mesh: BindGroup,
-    shells: Option<BindGroup>,
-    drawn: DrawCall,
-}
-
-/// Translucent surface whose light is ready to be gathered.
-struct TranslucentSurface {
-    gather: ComputePipeline,
-    maps: BindGroup,
-    mesh: BindGroup,
-    /// What the pass writes, and the shells that it reads.
-    gathered: BindGroup,
-}
-
-/// Surfaces and programs of a picture's passes.
-struct Passes {
-    surfaces: Vec<DrawableSurface>,
-    translucent: Vec<TranslucentSurface>,
-    /// Programs before and behind the translucent surfaces, if there are any.
-    compose: Option<Composer>,
-    /// Program that adds up samples, if there are several.
-    resolve: Option<ComputePipeline>,
-}
-
-impl Passes {
-    /// Returns groups 0 and 1 of any surface, for passes that read no surface's settings of their own.
-    fn first_groups(&self) -> Option<[&BindGroup; 2]> {
-        let opaque = self.surfaces.first().map(|surface| [&surface.maps, &surface.mesh]);
-        opaque.or_else(|| self.translucent.first().map(|surface| [&surface.maps, &surface.mesh]))
-    }
 }
 
 impl GpuRenderer {
@@ -289,166 +227,6 @@ impl GpuRenderer {
         self.targets.as_mut().ok_or(GpuError::EmptyPicture)
     }
 
-    /// Compiles and uploads what is not cached.
-    async fn prepare(
-        &mut self,
-        job: &Job,
-        sampling: Sampling,
-        samples: Vec<Sample>,
-        clock: Option<&PassClock>,
-    ) -> Result<Passes, GpuError> {
-        let gpu = self.gpu.clone();
-        targets::check(&gpu, [job.width, job.height])?;
-        let job = &*if tessellate::is_possible(gpu.device()) {
-            Cow::Borrowed(job)
-        } else {
-            self.tessellated.job(job)
-        };
-        for (number, surface) in job.surfaces.iter().enumerate() {
-            check_triangles(&gpu, surface)?;
-            if surface.selection.rays_through_scene().is_some() {
-                return Err(GpuError::RaysThroughScene { surface: number });
-            }
-        }
-        let counts = job.surfaces.iter().position(|surface| surface.selection.counts_in_stencil());
-        if let Some(surface) = counts
-            && !gpu.device().features().contains(Features::DEPTH32FLOAT_STENCIL8)
-        {
-            return Err(GpuError::NoStencil { surface });
-        }
-        let counts = counts.is_some();
-        let viewer = if counts { Viewer::CameraBesideCounts } else { Viewer::Camera };
-        let several = samples.len() > 1;
-        let resolve = if several { Some(self.programs.resolve(&gpu, sampling).await?) } else { None };
-        let mut programs = Vec::new();
-        let count = job.surfaces.iter().filter(|surface| surface.selection.is_translucent()).count();
-        let compose = if count > 0 { Some(self.programs.compose(&gpu, sampling).await?) } else { None };
-        for surface in &job.surfaces {
-            let JobSurface { selection, two_sided, .. } = surface;
-            if selection.is_translucent() {
-                programs.push(SurfaceProgram::Gather(self.programs.gather(&gpu, selection, sampling).await?));
-                continue;
-            }
-            let trace = if selection.counts_in_stencil() {
-                let programs = self.programs.stencil(&gpu, selection, sampling).await?;
-                Tracer::Counted(Counted::of(surface, programs))
-            } else {
-                Tracer::Whole(self.programs.trace(&gpu, viewer, selection, sampling, *two_sided).await?)
-            };
-            programs
-                .push(SurfaceProgram::Trace(trace, self.programs.shade(&gpu, selection, sampling).await?));
-        }
-        let mut light_programs = Vec::new();
-        let has_lights = !job.light_views.frames.is_empty();
-        for JobSurface { selection, two_sided, .. } in job.surfaces.iter().filter(|_| has_lights) {
-            // Translucent surfaces do not hide lights.
-            light_programs.push(if selection.is_translucent() {
-                None
-            } else {
-                Some(self.programs.trace(&gpu, Viewer::Light, selection, sampling, *two_sided).await?)
-            });
-        }
-        let builder = self.programs.pyramids(&gpu, &job.surfaces, sampling).await?;
-        let tessellator = self.programs.tessellator(&gpu, &job.surfaces, sampling).await?;
-        let Self { frames, light_map, surfaces, targets, generation, .. } = self;
-        let layouts = &self.programs.layouts;
-        let uploaded = gpu
-            .guarded(|| {
-                let size = [job.width, job.height];
-                let fit = |targets: &Targets| {
-                    (targets.size, targets.counts, targets.translucent) == (size, counts, count as u32)
-                        && targets.samples == samples
-                };
-                if !targets.as_ref().is_some_and(fit) {
-                    // The old targets are dropped first, so that both need not fit into memory.
-                    drop(targets.take());
-                    *targets = Some(Targets::new(&gpu, size, samples, counts, count as u32, layouts)?);
-                    *generation += 1;
-                }
-                let targets = targets.as_ref().ok_or(GpuError::EmptyPicture)?;
-                let [other_views, is_other_buffer] = frames.set(&gpu, job.frame, &job.light_views.frames);
-                let fits = light_map.as_ref().map(|map| map.fits(&job.light_views));
-                let is_other_map = has_lights && fits != Some(true);
-                if is_other_map || !has_lights {
-                    drop(light_map.take());
-                }
-                if is_other_map {
-                    *light_map = Some(LightMap::new(&gpu, &job.light_views)?);
-                }
-                if is_other_buffer || is_other_map || fits.is_some() != has_lights {
-                    *generation += 1;
-                }
-                let mut shadows_changed = other_views || is_other_map || surfaces.len() != job.surfaces.len();
-                surfaces.truncate(job.surfaces.len());
-                surfaces.resize_with(job.surfaces.len(), || Resident::new(&gpu));
-                let common = Common {
-                    number: *generation,
-                    frame: frames.resource(),
-                    passes: targets.passes(),
-                    builder: builder.as_ref(),
-                    light_map: light_map.as_ref().map(|map| &map.view),
-                };
-                let each = job.surfaces.iter().zip(surfaces.iter_mut()).map(|(surface, resident)| {
-                    let maps = resident.maps(&gpu, surface, sampling, layouts.maps(sampling), &common)?;
-                    let mesh = resident.mesh(&gpu, surface, layouts, tessellator.as_ref(), &maps, clock)?;
-                    shadows_changed |= maps.changed || mesh.is_other;
-                    Ok((maps, mesh))
-                });
-                let uploaded = each.collect::<Result<Vec<_>, GpuError>>()?;
-                if let Some(map) = light_map.as_ref().filter(|_| shadows_changed) {
-                    let parts = light_programs.into_iter().zip(&uploaded);
-                    let casters = parts.filter_map(|(program, (maps, mesh))| {
-                        Some(Caster {
-                            program: program?,
-                            maps: maps.for_lights.clone(),
-                            mesh: mesh.group.clone(),
-                            shells: mesh.shells.clone(),
-                            drawn: mesh.drawn.clone(),
-                        })
-                    });
-                    map.draw(&gpu, frames, targets.whole, &casters.collect::<Vec<_>>());
-                }
-                Ok(uploaded)
-            })
-            .await;
-        // After an error it is not known what arrived.
-        let uploaded = uploaded.inspect_err(|_| self.forget())?;
-        let mut ready = Passes { surfaces: Vec::new(), translucent: Vec::new(), compose, resolve };
-        let targets = self.targets.as_ref().ok_or(GpuError::EmptyPicture)?;
-        for (program, (maps, mesh)) in programs.into_iter().zip(uploaded) {
-            let (maps, shells) = (maps.for_camera, mesh.shells);
-            match program {
-                SurfaceProgram::Trace(trace, shade) => {
-                    let (mesh, drawn) = (mesh.group, mesh.drawn);
-                    ready.surfaces.push(DrawableSurface { trace, shade, maps, mesh, shells, drawn });
-                }
-                SurfaceProgram::Gather(gather) => {
-                    let nodes = mesh.shell_nodes.as_ref();
-                    let gathered =
-                        nodes.and_then(|nodes| targets.gathered(&gpu, &self.programs.layouts, nodes));
-                    if let Some(gathered) = gathered {
-                        ready.translucent.push(TranslucentSurface {
-                            gather,
-                            maps,
-                            mesh: mesh.group,
-                            gathered,
-                        });
-                    }
-                }
-            }
-        }
-        Ok(ready)
-    }
-
-    /// Drops all data on the GPU except programs.
-    fn forget(&mut self) {
-        self.surfaces.clear();
-        self.targets = None;
-        self.frames = Frames::new(&self.gpu);
-        self.light_map = None;
-        self.generation += 1;
-    }
-
     /// Traces and shades the rows of a band, and reads them back.
     async fn read_band(
         &mut self,
@@ -477,118 +255,6 @@ impl GpuRenderer {
         read.await?;
         Ok(band)
     }
-}
-
-/// Traces and shades the rows of a band, sample after sample, so that no submission takes long.
-/// `finish` records the end of the last one.
-fn submit_band(
-    gpu: &Gpu,
-    targets: &Targets,
-    ready: &Passes,
-    passes: &[Pass],
-    clock: Option<&PassClock>,
-    finish: impl Fn(&mut CommandEncoder, &Pass),
-) {
-    for (number, pass) in passes.iter().enumerate() {
-        let mut encoder = gpu.device().create_command_encoder(&Default::default());
-        let [records, sums] = targets.bytes(pass.band);
-        if number == 0 && ready.resolve.is_some() {
-            encoder.clear_buffer(&targets.sums, 0, Some(sums));
-        }
-        // The first surface's pass writes all of them.
-        if ready.surfaces.is_empty() {
-            encoder.clear_buffer(&targets.records, 0, Some(records));
-        }
-        for (number, surface) in ready.surfaces.iter().enumerate() {
-            let timed = |kind| clock.and_then(|clock| clock.next(kind));
-            trace(&mut encoder, targets, surface, pass, number == 0, timed(PassKind::Trace));
-            let groups = [&surface.maps, &surface.mesh, &targets.traced];
-            dispatch(&mut encoder, &surface.shade, &groups, targets.size[0], pass, timed(PassKind::Shade));
-        }
-        if let (Some(composer), Some(composed), Some(first)) =
-            (&ready.compose, targets.composed(), ready.translucent.first())
-        {
-            let around = [&first.maps, &first.mesh, composed];
-            dispatch(&mut encoder, &composer.begin, &around, targets.size[0], pass, None);
-            for surface in &ready.translucent {
-                let timed = clock.and_then(|clock| clock.next(PassKind::Shade));
-                let groups = [&surface.maps, &surface.mesh, &surface.gathered];
-                dispatch(&mut encoder, &surface.gather, &groups, targets.size[0], pass, timed);
-            }
-            dispatch(&mut encoder, &composer.compose, &around, targets.size[0], pass, None);
-        }
-        if let Some((resolve, [maps, mesh])) = ready.resolve.as_ref().zip(ready.first_groups()) {
-            let groups = [maps, mesh, &targets.traced];
-            dispatch(&mut encoder, resolve, &groups, targets.size[0], pass, None);
-        }
-        if pass.is_last {
-            finish(&mut encoder, pass);
-        }
-        gpu.queue().submit([encoder.finish()]);
-    }
-}
-
-/// Rasterises and traces a surface, behind the surfaces before it unless it is the first.
-fn trace(
-    encoder: &mut CommandEncoder,
-    targets: &Targets,
-    surface: &DrawableSurface,
-    pass: &Pass,
-    is_first: bool,
-    timed: Option<Timed>,
-) {
-    let ops = Operations { load: LoadOp::Clear(Color::TRANSPARENT), store: StoreOp::Store };
-    let keys = if is_first { LoadOp::Clear(0.0) } else { LoadOp::Load };
-    let color = |view| Some(RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops });
-    let mut drawn = encoder.begin_render_pass(&RenderPassDescriptor {
-        label: Some("trace"),
-        color_attachments: &[color(&targets.hit), color(&targets.what)],
-        depth_stencil_attachment: Some(RenderPassDepthStencilAttachment {
-            view: &targets.depth,
-            depth_ops: Some(Operations { load: keys, store: StoreOp::Store }),
-            stencil_ops: targets
-                .counts
-                .then_some(Operations { load: LoadOp::Clear(0), store: StoreOp::Discard }),
-        }),
-        timestamp_writes: timed.map(|Timed { queries, begin, end }| RenderPassTimestampWrites {
-            query_set: queries,
-            beginning_of_pass_write_index: Some(begin),
-            end_of_pass_write_index: Some(end),
-        }),
-        occlusion_query_set: None,
-        multiview_mask: None,
-    });
-    drawn.set_scissor_rect(0, 0, targets.size[0], pass.band.rows);
-    drawn.set_bind_group(0, &surface.maps, &[CAMERA, pass.offset]);
-    drawn.set_bind_group(1, &surface.mesh, &[]);
-    if let Some(shells) = &surface.shells {
-        drawn.set_bind_group(2, shells, &[]);
-    }
-    match &surface.trace {
-        Tracer::Whole(program) => {
-            drawn.set_pipeline(program);
-            surface.drawn.draw(&mut drawn);
-        }
-        Tracer::Counted(counted) => counted.draw(&mut drawn),
-    }
-}
-
-/// Runs a program over the pixels of a band. Group 0 has the offsets of the frame and of the pass.
-fn dispatch(
-    encoder: &mut CommandEncoder,
-    program: &ComputePipeline,
-    groups: &[&BindGroup],
-    width: u32,
-    pass: &Pass,
-    timed: Option<Timed>,
-) {
-    let mut run = encoder.begin_compute_pass(&timed_compute(timed));
-    run.set_pipeline(program);
-    for (number, group) in (0u32..).zip(groups) {
-        let offsets = [CAMERA, pass.offset];
-        run.set_bind_group(number, *group, if number == 0 { &offsets } else { &[] });
-    }
-    run.dispatch_workgroups(width.div_ceil(SHADE_GROUP), pass.band.rows.div_ceil(SHADE_GROUP), 1);
 }
 
 fn pixel_of(record: Record) -> PixelOut {

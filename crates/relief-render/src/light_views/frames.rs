@@ -30,8 +30,8 @@ const SAME: f32 = 16.0;
 /// By how much less light arrives beyond a shadow's edge: a filter makes half shadows.
 const STEP_OF_LIGHT: f32 = 0.03;
 
-/// Part of the pixels that may differ, and how far from a shadow's edge, in pixels: all but single ones, where
-/// light grazes a slope, lie within 1.5.
+/// Part of the pixels that may differ, and how far from a shadow's edge, in pixels: all but single ones,
+/// where light grazes a slope, lie within 1.5.
 const FEW: f64 = 0.007;
 const NEAR_EDGE: f64 = 3.5;
 

@@ -70,7 +70,10 @@ pub enum SceneError {
     #[error(transparent)]
     Value(#[from] ValueError),
     /// No height map is named.
-    #[error("the scene has no height map{}: name one by the key 'height'", .0.map_or(String::new(), |number| format!(" for surface {}", number + 1)))]
+    #[error(
+        "the scene has no height map{}: name one by the key 'height'",
+        .0.map_or(String::new(), |number| format!(" for surface {}", number + 1))
+    )]
     NoHeightMap(
         /// Index of the surface without a height map, if the scene has several.
         Option<usize>,
@@ -133,7 +136,8 @@ pub enum SceneError {
     Maps(#[from] MapsError),
     /// The picture would need more memory than the limit.
     #[error(
-        "a picture of {width}x{height} pixels needs {} MiB of memory, {limit} are allowed: make it smaller or raise the limit",
+        "a picture of {width}x{height} pixels needs {} MiB of memory, {limit} are allowed: make it smaller \
+         or raise the limit",
         mebibytes(*needed)
     )]
     TooMuchMemory {
@@ -175,7 +179,8 @@ pub enum SceneError {
     },
     /// Rendering the height map would need more memory than the limit.
     #[error(
-        "{}: rendering {width}x{height} texels needs {} MiB of memory, {} MiB of the {limit} allowed are left for them: use a smaller map or picture, or raise the limit",
+        "{}: rendering {width}x{height} texels needs {} MiB of memory, {} MiB of the {limit} allowed are \
+         left for them: use a smaller map or picture, or raise the limit",
         path.display(), mebibytes(*needed), left / BYTES_PER_MEBIBYTE
     )]
     TooMuchToTrace {
@@ -293,8 +298,8 @@ pub enum ValueProblem {
     NoShadowRays,
     /// A normal map or creases are given, but the surface uses its vertices' normals.
     #[error(
-        "is for normals per pixel, and the surface {} uses the normals of its triangles' vertices: leave it out, or \
-         choose a method that finds the relief pixel by pixel",
+        "is for normals per pixel, and the surface {} uses the normals of its triangles' vertices: leave it \
+         out, or choose a method that finds the relief pixel by pixel",
         Variants::of(SURFACE, |entry| !entry.paths().has_normals_of_relief()).or()
     )]
     VertexNormals,
@@ -311,7 +316,8 @@ pub enum ValueProblem {
     NotTranslucent,
     /// A method for volumes is chosen for a height map.
     #[error(
-        "the method shows volumes, and the surface has none: give a volume (a KTX2 file), or choose another method"
+        "the method shows volumes, and the surface has none: give a volume (a KTX2 file), or choose another \
+         method"
     )]
     NoVolume,
     /// A method for other surfaces is chosen for a volume.

@@ -176,7 +176,8 @@ fn check_keys(table: &DeTable, known: impl Fn(&str) -> bool, others: &[&[&str]])
         let is_map = keys_of::<SurfaceSpec>().contains(&name) && name != "base";
         if is_value && is_map && MaterialSpec::PARTS.contains(&name) {
             let what = format!(
-                "{name} names the file of a map; a value is part of the material, as in material = {{ {name} = {} }}",
+                "{name} names the file of a map; a value is part of the material, as in material = {{ {name} \
+                 = {} }}",
                 if name == "emission" { "[1, 1, 1]" } else { "0.5" }
             );
             return Err(ParseError::Key { what, at: key.span() });

@@ -4,8 +4,9 @@ use std::ops::Bound;
 
 use super::extinction::EXTINCTIONS;
 use super::limits::{MAX_EXPOSURE, MAX_IMAGE_SIDE, MAX_SAMPLES};
-use super::load_surface::{EXAGGERATIONS, LENGTHS_M, MAX_SIZE, MAX_TILES};
 use super::metres::MAX_METRES;
+use super::surface_place::{MAX_SIZE, MAX_TILES};
+use super::surface_scale::{EXAGGERATIONS, LENGTHS_M};
 use crate::light::MAX_DIAMETER_DEG;
 
 /// The number of a key, or each of its numbers.

@@ -139,7 +139,8 @@ pub fn keys() -> Vec<Key> {
             "axes",
             Form::Name(VectorAxes::ALL.map(VectorAxes::name).to_vec()),
             "",
-            "what red, green and blue of a vector displacement map are: tnb, tangent, normal, bitangent (default), or tbn",
+            "what red, green and blue of a vector displacement map are: tnb, tangent, normal, bitangent \
+             (default), or tbn",
         ),
         surface("textures", Form::Folder, "", "folder of a material's maps, recognised by their names"),
         surface("udim", Form::Whole, "", "UDIM tile whose maps are taken, from 1001 on"),
@@ -173,7 +174,8 @@ pub fn keys() -> Vec<Key> {
             "unit",
             Form::Text,
             "",
-            "unit of the heights, as in \"cm\", or of heights and ground, as in \"cm,ft\" (default: the file's)",
+            "unit of the heights, as in \"cm\", or of heights and ground, as in \"cm,ft\" (default: the \
+             file's)",
         ),
         surface("raw", Form::Text, "", "size and byte order of a headerless file, as in \"403x344,le\""),
         surface(

@@ -3,10 +3,11 @@
 use super::builder::{DEFAULT_EYE, DEFAULT_FOV, DEFAULT_SIZE};
 use super::error::{SceneError, ValueError, ValueProblem};
 use super::framing::Framing;
-use super::load_surface::{Parts, SceneContext};
 use super::maps::{BYTES_PER_TRIANGLE, Maps};
 use super::metres::check_metres;
 use super::picture_size::check_size;
+use super::surface_parts::Parts;
+use super::surface_selection::SceneContext;
 use super::{
     DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, LightSpec, Look, MeshChoice, ProjectionChoice, Scene, SceneBuilder,
     SceneSpec, SurfaceSpec,

@@ -74,7 +74,8 @@ pub enum RampError {
     /// The map's values and the table's elevations have little in common.
     #[error(
         "the table has elevations from {} to {}, but the map's values go from {} to {} and have no unit: \
-         give percentages of the map's range, as in 50%, or the elevations that its heights stand for", table[0], table[1], map[0], map[1]
+         give percentages of the map's range, as in 50%, or the elevations that its heights stand for",
+        table[0], table[1], map[0], map[1]
     )]
     OtherElevations {
         /// Least and greatest elevation of the table.

@@ -11,9 +11,10 @@ use super::{Scene, SceneError, SceneSpec, Surface};
 
 /// Loads scenes one after the other, and keeps what the next one shares with the last.
 ///
-/// A scene that differs from the last one in camera, lights, size, samples or tone alone is loaded without a
-/// file being read. It is the same scene that [`SceneSpec::load`] returns, but for the memory that is left for
-/// triangles, and its surfaces share what the last scene's have, so that a renderer finds again what it built.
+/// A scene that differs from the last one in camera, lights, size, samples or tone alone is loaded
+/// without a file being read. It is the same scene that [`SceneSpec::load`] returns, but for the memory
+/// that is left for triangles, and its surfaces share what the last scene's have, so that a renderer
+/// finds again what it built.
 ///
 /// Files that changed since then are read again, and so are the scene's other files.
 ///

@@ -1,4 +1,5 @@
-//! What a picture can show besides the light of a scene: numbers of its pixels, and errors beside the exact one.
+//! What a picture can show besides the light of a scene: numbers of its pixels, and
+//! errors beside the exact one.
 
 use relief_core::registry::UnknownName;
 use std::fmt;

@@ -250,8 +250,8 @@ impl SceneSpec {
         }
     }
 
-    /// Returns this description with the finest level of the maps on every surface, unless it names a level of
-    /// detail: where hits are compared with the exact ones.
+    /// Returns this description with the finest level of the maps on every surface, unless it names a level
+    /// of detail: where hits are compared with the exact ones.
     #[must_use]
     pub fn at_finest_level(mut self) -> Self {
         let finest = STAGES[DETAIL].first(Entry::is_idle).map_or("", |(_, entry)| entry.name);

@@ -2,8 +2,8 @@
 
 use super::SceneObject;
 use super::color_place::ColorPlace;
-use super::load_surface::stated_scale_m;
 use super::surface_colors::{DrawnMaterial, SurfaceColors};
+use super::surface_scale::stated_scale_m;
 use crate::material::Material;
 use crate::material_maps::MaterialMaps;
 use relief_core::mesh::Mesh;

@@ -24,8 +24,8 @@ use std::path::PathBuf;
 pub struct SurfaceSpec {
     /// File of the height map. Required, unless `volume`, `motif`, `object` or the file of a mesh is given.
     pub height: Option<PathBuf>,
-    /// File of a volume, in place of a height map: grass, mail or cloth on the mesh. Scale, bias, tile and wrap
-    /// mean the same as for heights.
+    /// File of a volume, in place of a height map: grass, mail or cloth on the mesh. Scale, bias, tile and
+    /// wrap mean the same as for heights.
     pub volume: Option<PathBuf>,
     /// File of a motif, in place of a height map: a closed mesh in the space of a tile, which repeats on the
     /// mesh. `x` and `z` are `u` and `v`, `y` is the height, all from 0 to 1. Or a vector displacement map.

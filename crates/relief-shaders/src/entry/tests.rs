@@ -277,7 +277,8 @@ fn no_variant_is_asked_for_by_its_name() {
 
 #[test]
 fn a_question_for_a_name_is_seen() {
-    let source = "fn a(entry: &Entry) -> bool {\n    entry.name == \"ray\" || choice.entry.name != \"none\"\n}\n\
+    let source = "fn a(entry: &Entry) -> bool {\n    entry.name == \"ray\" || choice.entry.name != \"none\"\n\
+        }\n\
         fn b() { match entry.name { _ => {} } }\nfn c(name: &str) -> bool { entry.name == name }\n\
         #[cfg(test)]\nmod tests { fn d() -> bool { entry.name == \"map\" } }\n";
     assert_eq!(asks_by_name(source), [2, 4]);

@@ -26,7 +26,10 @@ impl Tessellated {
     /// Reason why such triangles can't be made, if they can't.
     pub(crate) fn refused(&self) -> Option<&'static str> {
         let is_refused = self.is_swept && self.texels.is_some();
-        is_refused.then_some("a sweep needs a point of each side in every voxel, and sides divided by texels have none in some")
+        is_refused.then_some(
+            "a sweep needs a point of each side in every voxel, and sides divided by texels \
+             have none in some",
+        )
     }
 }
 

@@ -35,8 +35,8 @@ const PARAMS: &[Param] = &[
         default: JumpCells::Highest as u32 as f32,
         ..Param::of_names(
             "cells",
-            "the surface where heights jump from texel to texel: bilinear, as elsewhere; step: as high as the \
-             nearest texel; highest: as the highest around; nearest: the nearest texel, everywhere",
+            "the surface where heights jump from texel to texel: bilinear, as elsewhere; step: as high as \
+             the nearest texel; highest: as the highest around; nearest: the nearest texel, everywhere",
             CELLS,
         )
     },

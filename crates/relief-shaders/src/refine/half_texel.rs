@@ -10,7 +10,8 @@ pub const ENTRY: Entry = Entry {
     name: "half-texel",
     summary: "interpolates the gaps half a texel before and behind the hit of a texel's column",
     publication: Publication {
-        paper: "Oh, Ki and Lee 2006, Pyramidal Displacement Mapping: A GPU based Artifacts-free Ray Tracing Through an Image Pyramid",
+        paper: "Oh, Ki and Lee 2006, Pyramidal Displacement Mapping: A GPU based Artifacts-free Ray Tracing \
+                Through an Image Pyramid",
         section: "3.3",
     },
     maps: &[],

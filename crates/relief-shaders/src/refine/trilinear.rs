@@ -16,7 +16,7 @@ pub const ENTRY: Entry = Entry {
     states: super::ANY_INTERVAL,
     guarantee: Guarantees::all(Guarantee::Exact),
     weakened: &[],
-    argument: "The cells of the interval are visited in order, and the first root of the field's polynomial in \
-        a cell is found between its extrema, to the rounding of the field over its slope.",
+    argument: "The cells of the interval are visited in order, and the first root of the field's polynomial \
+        in a cell is found between its extrema, to the rounding of the field over its slope.",
     role: Role::Tracing(TracingRole { solids: Solids::Volumes, ..TracingRole::PLAIN }),
 };

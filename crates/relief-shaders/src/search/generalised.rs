@@ -31,10 +31,10 @@ pub const ENTRY: Entry = Entry {
         shadow: Guarantee::Impossible,
     },
     weakened: &[],
-    argument: "The map holds exact ways from the centres of voxels in some directions, in 8 bits. Between them \
-        ways are interpolated, although they jump at outlines; whether there is a hit at all, the greater \
-        part of the weights decides. A bent path is taken for its tangent. A ray that begins at the surface begins \
-        between voxels inside and outside, so it cannot be told from one that hits.",
+    argument: "The map holds exact ways from the centres of voxels in some directions, in 8 bits. Between \
+        them ways are interpolated, although they jump at outlines; whether there is a hit at all, the \
+        greater part of the weights decides. A bent path is taken for its tangent. A ray that begins at the \
+        surface begins between voxels inside and outside, so it cannot be told from one that hits.",
     role: Role::Tracing(TracingRole { solids: Solids::Volumes, ..TracingRole::PLAIN }),
 };
 

@@ -10,7 +10,8 @@ pub const ENTRY: Entry = Entry {
     name: "pyramid-texels",
     summary: "pyramidal displacement mapping as published: texels as level columns",
     publication: Publication {
-        paper: "Oh, Ki and Lee 2006, Pyramidal Displacement Mapping: A GPU based Artifacts-free Ray Tracing Through an Image Pyramid",
+        paper: "Oh, Ki and Lee 2006, Pyramidal Displacement Mapping: A GPU based Artifacts-free Ray Tracing \
+                Through an Image Pyramid",
         section: "3.2, 3.4",
     },
     // The finest level is the height map's own.

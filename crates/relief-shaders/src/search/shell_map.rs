@@ -19,11 +19,11 @@ pub const ENTRY: Entry = Entry {
     states: &[FoundState::Bracket],
     guarantee: Guarantees { view: Guarantee::Exact, bent: Guarantee::Impossible, shadow: Guarantee::Exact },
     weakened: &[],
-    argument: "A straight path meets a triangle where it meets it in the world, as the shell maps lines to lines. \
-        Triangles that reach into several tiles are in the tree once for each, so the nearest one in the first tile \
-        with any is the first. Seen along the path, both triangles at an edge judge by the same two corners, and each \
-        reaches beyond the edge by some roundings, so that nothing passes between them. Places are rounded to 2^-19 \
-        of a tile.",
+    argument: "A straight path meets a triangle where it meets it in the world, as the shell maps lines to \
+        lines. Triangles that reach into several tiles are in the tree once for each, so the nearest one in \
+        the first tile with any is the first. Seen along the path, both triangles at an edge judge by the \
+        same two corners, and each reaches beyond the edge by some roundings, so that nothing passes between \
+        them. Places are rounded to 2^-19 of a tile.",
     role: Role::Tracing(TracingRole { solids: Solids::Motifs, ..TracingRole::PLAIN }),
 };
 

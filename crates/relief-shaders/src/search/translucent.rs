@@ -30,7 +30,8 @@ pub const ENTRY: Entry = Entry {
         },
         Param {
             name: "looks",
-            summary: "looks at the light that arrives, on a ray until nothing comes through; dense cells have more",
+            summary: "looks at the light that arrives, on a ray until nothing comes through; dense cells \
+                      have more",
             unit: "",
             min: 1.0,
             max: 65536.0,

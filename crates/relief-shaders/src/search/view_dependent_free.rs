@@ -22,9 +22,9 @@ pub const ENTRY: Entry = Entry {
     states: &[FoundState::Above],
     guarantee: Guarantees { view: Guarantee::Exact, bent: Guarantee::Exact, shadow: Guarantee::Impossible },
     weakened: &[],
-    argument: "The map holds 0.998 of a way on which no path of the same cell of all axes touches the surface, \
-        which is less by more than f32 may be off. A path whose cell f32 cannot tell, \
-        or that does not come in at the top, takes no step. So whatever `patch` does from there on is what it \
-        does from the beginning. A ray to a light begins at the surface, where the map knows nothing.",
+    argument: "The map holds 0.998 of a way on which no path of the same cell of all axes touches the \
+        surface, which is less by more than f32 may be off. A path whose cell f32 cannot tell, or that does \
+        not come in at the top, takes no step. So whatever `patch` does from there on is what it does from \
+        the beginning. A ray to a light begins at the surface, where the map knows nothing.",
     role: Role::Tracing(TracingRole { begins_at_top: true, ..TracingRole::PLAIN }),
 };

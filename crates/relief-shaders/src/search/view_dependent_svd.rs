@@ -9,7 +9,8 @@ use crate::entry::{Entry, Role, TracingRole};
 /// The hit by place, direction and bend, out of factors of a smaller map.
 pub const ENTRY: Entry = Entry {
     name: "view-dependent-svd",
-    summary: "sums the way to the hit by place and direction, out of factors by a singular value decomposition",
+    summary: "sums the way to the hit by place and direction, out of factors by a singular value \
+              decomposition",
     publication: Publication {
         paper: "Wang et al. 2003, View-dependent displacement mapping; Szirmay-Kalos and Umenhoffer 2008",
         section: "6.3",
@@ -30,9 +31,9 @@ pub const ENTRY: Entry = Entry {
         shadow: Guarantee::Impossible,
     },
     weakened: &[],
-    argument: "The sums come nearest to exact hits, from the centres of texels in some directions and bends, of all \
-        sums of as many products. Each factor has 8 bits. Between texels and directions ways are interpolated, \
-        although they jump at outlines. A ray that begins at the surface does not come in at the top, so it \
-        cannot be looked up.",
+    argument: "The sums come nearest to exact hits, from the centres of texels in some directions and bends, \
+        of all sums of as many products. Each factor has 8 bits. Between texels and directions ways are \
+        interpolated, although they jump at outlines. A ray that begins at the surface does not come in at \
+        the top, so it cannot be looked up.",
     role: Role::Tracing(TracingRole { begins_at_top: true, ..TracingRole::PLAIN }),
 };

@@ -158,7 +158,8 @@ impl Selection {
             let of_one = |map: &MapInput| {
                 matches!(map.levels, MapLevels::ChainFrom(_)) && !map.settings.iter().any(serves_all)
             };
-            // The bends of paths lie below each other in a map, so it has no levels of the height map's sizes.
+            // The bends of paths lie below each other in a map, so it has no levels of the height map's
+            // sizes.
             let is_in_blocks = choice.entry.tracing().begins_at_top;
             if self.has_levels() && (is_in_blocks || choice.entry.maps.iter().any(of_one)) {
                 let (stage, key, entry) = (stage.title, stage.key, choice.entry.name);

@@ -80,7 +80,8 @@ impl Selection {
         self.with_search_for_shadows()
     }
 
-    /// Returns the selection for a volume of that many columns, rows and slices, for which its maps are baked.
+    /// Returns the selection for a volume of that many columns, rows and slices, for
+    /// which its maps are baked.
     #[must_use]
     pub fn with_volume_size(self, volume_size: [u32; 3]) -> Self {
         Self { volume_size, ..self }

@@ -101,7 +101,8 @@ pub enum SelectionError {
     /// A variant's baked map has only the finest level of detail.
     #[error(
         "the {stage} '{entry}' cannot be used with the detail '{detail}': the levels of its map are not \
-            levels of detail; choose another {stage}, or the detail {none}", none = Variants::of(DETAIL, Entry::is_idle).or()
+         levels of detail; choose another {stage}, or the detail {none}",
+        none = Variants::of(DETAIL, Entry::is_idle).or()
     )]
     OneLevel {
         /// The title of the stage that reads the map.
@@ -115,8 +116,8 @@ pub enum SelectionError {
     },
     /// The map of a variant would have a layer for more directions than a map has layers.
     #[error(
-        "{key}.azimuths times {key}.elevations are {directions}: the map of the {stage} '{entry}' has a layer for each, \
-            and a map at most {MAX_LAYERS}: take fewer"
+        "{key}.azimuths times {key}.elevations are {directions}: the map of the {stage} '{entry}' has a \
+            layer for each, and a map at most {MAX_LAYERS}: take fewer"
     )]
     Directions {
         /// The title of the stage that reads the map.

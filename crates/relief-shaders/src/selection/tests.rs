@@ -285,7 +285,8 @@ fn a_sky_goes_with_reliefs_and_a_hemisphere_with_everything() {
     assert!(facets.goes_with("ambient", "skye").is_err() && facets.goes_with("ambience", "sky").is_err());
 }
 
-/// Where a surface's rays are none for a method, every surface that the message names serves, and no other does.
+/// Where a surface's rays are none for a method, every surface that the message names
+/// serves, and no other does.
 #[test]
 fn surfaces_that_a_refusal_names_serve() {
     let mut refused = 0;

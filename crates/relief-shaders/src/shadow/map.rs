@@ -39,7 +39,8 @@ pub const ENTRY: Entry = Entry {
         },
         Param {
             name: "filter",
-            summary: "width of the square in which texels are compared and averaged, for a map of the full size",
+            summary: "width of the square in which texels are compared and averaged, for a map of the full \
+                      size",
             unit: "texels",
             min: 0.0,
             max: 16.0,

@@ -62,15 +62,16 @@ pub fn run(python: &Path, sizes: &[u32], pool: &ThreadPool) -> Result<(), String
         "Natural ground, clamped; relief {SCALE_M} of the tile; one thread each, medians of {RUNS} runs."
     );
     println!(
-        "distance: {SLICES} slices. edt is given the volume of voxels that are solid up to the highest of the 3x3 texels \
-         around, and finds distances between voxel centres; building that volume is not timed. Relief finds distances to the \
-         boxes as high as they are, turns them into lower bounds for the bilinear surface, and hands each slice over instead \
-         of holding them all. Agreement: the mean stored bound over edt's mean distance, both above the ground."
+        "distance: {SLICES} slices. edt is given the volume of voxels that are solid up to the highest of \
+         the 3x3 texels around, and finds distances between voxel centres; building that volume is not \
+         timed. Relief finds distances to the boxes as high as they are, turns them into lower bounds for \
+         the bilinear surface, and hands each slice over instead of holding them all. Agreement: the mean \
+         stored bound over edt's mean distance, both above the ground."
     );
     println!(
-        "horizon: {AZIMUTHS} azimuths. topocalc skews the map and takes horizons of its rows from texel to texel as far as the \
-         map reaches, in f64. Relief takes the bilinear surface, from the texel's own ray near by, and goes on beyond the \
-         edges by the wrap. Agreement: the mean difference of the sines."
+        "horizon: {AZIMUTHS} azimuths. topocalc skews the map and takes horizons of its rows from texel to \
+         texel as far as the map reaches, in f64. Relief takes the bilinear surface, from the texel's own \
+         ray near by, and goes on beyond the edges by the wrap. Agreement: the mean difference of the sines."
     );
     println!("\n{table}");
     Ok(())

@@ -1,5 +1,5 @@
-//! Pages in Chromium without a window, on SwiftShader. A page is served from a folder and sends its answer back:
-//! WebGPU works only in real time, so a page cannot be read when its own clock has run ahead.
+//! Pages in Chromium without a window, on SwiftShader. A page is served from a folder and sends its answer
+//! back: WebGPU works only in real time, so a page cannot be read when its own clock has run ahead.
 
 pub mod npm;
 
@@ -25,8 +25,8 @@ const MODULES: &str = "node_modules/";
 /// Files that a page reads, by name.
 pub type Files<'a> = &'a [(&'a str, &'a [u8])];
 
-/// Runs a script with three.js: a module that exports by default a function from the input to bytes or a text,
-/// or to a promise of them. Returns what it answers.
+/// Runs a script with three.js: a module that exports by default a function from the input to bytes or a
+/// text, or to a promise of them. Returns what it answers.
 pub fn with_three(
     chromium: &Path,
     script: &str,

@@ -113,8 +113,8 @@ fn on_square(
     Ok(comparison)
 }
 
-/// Comparison of cobbles in small pictures with timed frames, on the CPU and, as requested, on a GPU. The cost
-/// of displacement is timed with `pixels` times as many pixels.
+/// Comparison of cobbles in small pictures with timed frames, on the CPU and, as requested, on a GPU. The
+/// cost of displacement is timed with `pixels` times as many pixels.
 fn timed_cobbles(arguments: &Arguments, pixels: u32) -> Result<Comparison, String> {
     let named = accuracy::maps()
         .into_iter()

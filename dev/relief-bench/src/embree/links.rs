@@ -82,8 +82,9 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
     let rays: Vec<Ray> =
         (0..columns * rows).map(|at| camera.ray(at % columns, at / columns, columns, rows)).collect();
     println!(
-        "{name}, {} triangles, {}x{} tiles; a motif of {} triangles, {} as triangles in the shells. One thread, \
-         processor time, medians of {} runs. Picture: {columns}x{rows} pixels, shaded without shadows.\n",
+        "{name}, {} triangles, {}x{} tiles; a motif of {} triangles, {} as triangles in the shells. One \
+         thread, processor time, medians of {} runs. Picture: {columns}x{rows} pixels, shaded without \
+         shadows.\n",
         base.triangles().len(),
         arguments.tiles,
         arguments.tiles,

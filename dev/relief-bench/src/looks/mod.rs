@@ -39,7 +39,12 @@ pub struct Arguments {
     #[arg(long, value_name = "FOLDER")]
     models: Option<PathBuf>,
     /// Runs of each command that is timed; medians count
-    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=100))]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 5,
+        value_parser = clap::value_parser!(u16).range(1..=100)
+    )]
     rounds: u16,
 }
 

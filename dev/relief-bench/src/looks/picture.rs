@@ -41,7 +41,8 @@ impl Picture {
         Ok(Self { size: [read.width as usize, read.height as usize], colours, hit, lit })
     }
 
-    /// Index of the pixel at the given distance from another, in columns and rows; `None` outside the picture.
+    /// Index of the pixel at the given distance from another, in columns and rows;
+    /// `None` outside the picture.
     pub fn beside(&self, place: usize, [right, down]: [isize; 2]) -> Option<usize> {
         let [columns, rows] = self.size;
         let x = (place % columns).checked_add_signed(right).filter(|x| *x < columns)?;

@@ -74,11 +74,11 @@ pub fn run(relief: &Relief, arguments: &Arguments) -> Result<bool, String> {
     sheet::write(&shown, &arguments.output)?;
     let look = arguments.look.as_deref().map_or(String::new(), |look| format!(" --look {look}"));
     println!(
-        "Pictures of `relief render FILE{look}`. *Outline*: pixels that differ from the background by {SEEN} or \
-         more, at least 95 % ({:.0} % with colours). *Covered*: at least {:.0} % by square maps on planes. \
-         *Margins*: above, below, left and right in pixels; opposite ones differ by at most {:.0} % of the \
-         side. *Shadows*: deviation of luma in bytes in windows of 8x8 pixels in shadow / in light; at least \
-         {} and half of that in light. *Clipped*: less than {:.0} % of covered pixels.\n",
+        "Pictures of `relief render FILE{look}`. *Outline*: pixels that differ from the background by {SEEN} \
+         or more, at least 95 % ({:.0} % with colours). *Covered*: at least {:.0} % by square maps on \
+         planes. *Margins*: above, below, left and right in pixels; opposite ones differ by at most {:.0} % \
+         of the side. *Shadows*: deviation of luma in bytes in windows of 8x8 pixels in shadow / in light; \
+         at least {} and half of that in light. *Clipped*: less than {:.0} % of covered pixels.\n",
         100.0 * OUTLINE[1],
         100.0 * COVERED,
         100.0 * MARGINS,

@@ -1,7 +1,7 @@
-// Draws a plane with the parallax of Babylon.js and with the kit of three.js, both on WebGL 2. Answers with the
-// colours of two pictures for each place and way, u and v, and the milliseconds of frames that were drawn in
-// turn. Colours are coordinates: red rises over the tile, green and blue rise and fall 16 times, blue half a
-// rise ahead.
+// Draws a plane with the parallax of Babylon.js and with the kit of three.js, both on WebGL 2. Answers
+// with the colours of two pictures for each place and way, u and v, and the milliseconds of frames that
+// were drawn in turn. Colours are coordinates: red rises over the tile, green and blue rise and fall 16
+// times, blue half a rise ahead.
 import * as THREE from "three/webgpu";
 import { texture } from "three/tsl";
 import { applyRelief } from "./relief.js";

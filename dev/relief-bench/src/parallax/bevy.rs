@@ -73,8 +73,8 @@ fn of_method(
     let file = folder.path().join("heights.exr");
     write_exr(&file, width, height, &[("Y", heights.texels())]).map_err(|error| error.to_string())?;
     let flags = format!(
-        "--mesh square --scale {SCALE_M} --tile-size 1,1 --wrap repeat --range 0,1 --shadow none --surface plane \
-         --method {method}"
+        "--mesh square --scale {SCALE_M} --tile-size 1,1 --wrap repeat --range 0,1 --shadow none --surface \
+         plane --method {method}"
     );
     let project = Project::new(&arguments.relief, &file, &words(&flags))?;
     let depths: Vec<u8> = heights.texels().iter().map(|height| 255 - byte(*height)).collect();

@@ -1,5 +1,6 @@
-//! Draws the kit's plane with Bevy's own parallax mapping and with the kit's material, from several places. Unlit
-//! textures whose colours are coordinates say where each ray ends. Writes all pictures, and then the times of frames.
+//! Draws the kit's plane with Bevy's own parallax mapping and with the kit's material, from several
+//! places. Unlit textures whose colours are coordinates say where each ray ends. Writes all pictures, and
+//! then the times of frames.
 
 mod relief;
 mod relief_functions;
@@ -119,7 +120,12 @@ fn main() -> AppExit {
         Tonemapping::None,
         DebandDither::Disabled,
         RenderTarget::Image(target.clone().into()),
-        Projection::from(PerspectiveProjection { fov: fov.to_radians(), near: 0.01, far: 100.0, ..default() }),
+        Projection::from(PerspectiveProjection {
+            fov: fov.to_radians(),
+            near: 0.01,
+            far: 100.0,
+            ..default()
+        }),
         Transform::default(),
     ));
     let camera = camera.id();

@@ -1,5 +1,6 @@
-//! `parallax`: what engines have of their own beside Relief's methods in their shaders, in one run: how far hits
-//! are off the exact ones, and how long a frame takes. An unlit texture whose colours are its coordinates shows each.
+//! `parallax`: what engines have of their own beside Relief's methods in their shaders, in one run:
+//! how far hits are off the exact ones, and how long a frame takes. An unlit texture whose colours are
+//! its coordinates shows each.
 
 mod babylon;
 mod bevy;
@@ -134,13 +135,14 @@ fn of_map(
         }
         ways.push(way);
     }
+    let bytes: Vec<u8> = heights.texels().iter().map(|at| byte(*at)).collect();
     let input = json!({
         "width": size[0], "height": size[1], "fov": FOV_DEGREES, "scale": SCALE_M,
         "eyes": eyes.map(|eye| eye.to_array()),
         "ways": ways,
         "mesh": mesh_json(mesh, true),
         "heights": of_texels(heights, &json!(heights.texels())),
-        "heights8": of_texels(heights, &json!(heights.texels().iter().map(|at| byte(*at)).collect::<Vec<u8>>())),
+        "heights8": of_texels(heights, &json!(bytes)),
     });
     files.push(("input.json".to_owned(), input.to_string().into_bytes()));
     let answer = run_godot(&arguments.chromium, files)?;

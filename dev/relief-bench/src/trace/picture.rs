@@ -1,4 +1,5 @@
-//! Picture with the same parts as the other renderer's: view ray, smooth normal, one shadow ray a hit, Lambert's light.
+//! Picture with the same parts as the other renderer's: view ray, smooth normal, one shadow
+//! ray a hit, Lambert's light.
 
 use std::path::Path as FilePath;
 

@@ -23,8 +23,8 @@ const FOV_DEGREES: f64 = 40.0;
 /// Where the sun is: 15 degrees above the horizon, so that there are shadows.
 const TOWARDS_SUN: DVec3 = DVec3::new(0.8, 0.25, -0.5);
 
-/// Distance above a hit at which its shadow ray begins, in metres: more than an `f32` rounds a place by, so that no
-/// program finds the surface that it starts from, and less than a tenth of a texel of the finest map.
+/// Distance above a hit at which its shadow ray begins, in metres: more than an `f32` rounds a place by, so
+/// that no program finds the surface that it starts from, and less than a tenth of a texel of the finest map.
 pub const SHADOW_LIFT_M: f64 = 1e-5;
 
 /// How far below the lowest level paths end, in metres, so that rounding does not end one above it.

@@ -91,7 +91,8 @@ pub fn run(size: [u32; 2]) -> Result<(), String> {
     let camera = Camera::new(eye, DVec3::new(0.0, 0.1, 0.0), 26.0).map_err(|error| error.to_string())?;
     let grass = Grass { base: Arc::new(base), blades, camera, size };
     println!(
-        "{name}, {} triangles, {TILES}x{TILES} tiles of {BLADES} blades, {} triangles; {}x{} pixels without shadows.\n",
+        "{name}, {} triangles, {TILES}x{TILES} tiles of {BLADES} blades, {} triangles; {}x{} pixels without \
+         shadows.\n",
         grass.base.triangles().len(),
         grass.blades.triangles.len(),
         size[0],

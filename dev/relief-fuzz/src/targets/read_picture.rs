@@ -7,7 +7,8 @@ use crate::Target;
 use crate::common::broken::valid_files;
 use crate::common::files::{exif, jpeg, png, png_with, with_chunk, with_exif};
 
-/// Any bytes as a picture's file: an error or as many texels as its size says, never more memory than allowed.
+/// Any bytes as a picture's file: an error or as many texels as its size says, never
+/// more memory than allowed.
 pub const READ_PICTURE: Target = Target { name: "read_picture", run, make };
 
 fn run(bytes: &[u8]) -> bool {

@@ -4,7 +4,8 @@ use super::MAX_BYTES;
 use crate::Target;
 use crate::common::Folder;
 
-/// Any bytes as a KTX2 file: an error or levels of as many texels as they say, never more memory than allowed.
+/// Any bytes as a KTX2 file: an error or levels of as many texels as they say, never
+/// more memory than allowed.
 pub const READ_TEXTURE: Target = Target { name: "read_texture", run, make };
 
 fn run(bytes: &[u8]) -> bool {

@@ -5,7 +5,8 @@ use relief_core::HeightMap;
 
 use crate::probes::place::Place;
 
-/// Least slope of a cell in a quadrant, and the point where the surface touches it: `None` where the slope is 0.
+/// Least slope of a cell in a quadrant, and the point where the surface touches it:
+/// `None` where the slope is 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeastSlope {
     /// The slope in heights a texel.

@@ -7,10 +7,10 @@ const ROUNDING: f64 = 1e-14;
 
 /// The steepest slope, in heights a metre of `texel_m`, from an apex to a sampled point of the surface at
 /// which it falls along the ray from there, and is not level: no cone of a smaller slope is left after one
-/// entry at most, and the least that is lies above by what is between samples. Each patch has
-/// `samples + 1` samples along either side, and `finer` times as many on its edges. The apex is the surface
-/// at the given distance from the texel's centre, in texels. Cells are looked at ring by ring, up to `most` rings, until even
-/// `highest`, the map's highest texel, would not be steeper.
+/// entry at most, and the least that is lies above by what is between samples. Each patch has `samples + 1`
+/// samples along either side, and `finer` times as many on its edges. The apex is the surface at the given
+/// distance from the texel's centre, in texels. Cells are looked at ring by ring, up to `most` rings, until
+/// even `highest`, the map's highest texel, would not be steeper.
 pub fn slope(
     map: &HeightMap,
     texel_m: [f64; 2],

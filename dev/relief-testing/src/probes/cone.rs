@@ -103,9 +103,9 @@ impl Iterator for Probes<'_> {
     }
 }
 
-/// Returns how many of `count` probes find a point inside the cone of their texel, and the contact that comes nearest
-/// to it: the one with the least limit over ratio. `ratio` is asked for the ratio that a search would use at
-/// an apex of a texel.
+/// Returns how many of `count` probes find a point inside the cone of their texel, and the contact that comes
+/// nearest to it: the one with the least limit over ratio. `ratio` is asked for the ratio that a search would
+/// use at an apex of a texel.
 pub fn attack(probes: Probes<'_>, count: usize, ratio: impl Fn(&Contact) -> f64) -> (usize, Option<Contact>) {
     let mut violations = 0;
     let mut tightest: Option<(f64, Contact)> = None;

@@ -7,8 +7,8 @@ use super::place::{Place, ROUNDING};
 use super::pyramid::room;
 use relief_core::rng::Rng;
 
-/// Probes the given number of pairs of places; `bounds` is the least and the greatest height that a cell, not wrapped,
-/// has for the surface within `radius` texels. Finds room in heights, for a cell at a place.
+/// Probes the given number of pairs of places; `bounds` is the least and the greatest height that a cell, not
+/// wrapped, has for the surface within `radius` texels. Finds room in heights, for a cell at a place.
 pub fn attack(
     map: &HeightMap,
     radius: u32,

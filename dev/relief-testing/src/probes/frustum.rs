@@ -53,9 +53,9 @@ pub struct Contact {
     pub place: Place,
 }
 
-/// Probes the given number of places ahead of cells: at every distance up to three tiles, more of the near ones, on the
-/// diagonal and beside it as often as elsewhere. `read` is the frustum for a ray over a cell, not wrapped, in
-/// a quadrant. Finds room in heights.
+/// Probes the given number of places ahead of cells: at every distance up to three tiles, more of the near
+/// ones, on the diagonal and beside it as often as elsewhere. `read` is the frustum for a ray over a cell,
+/// not wrapped, in a quadrant. Finds room in heights.
 pub fn attack(
     map: &HeightMap,
     read: impl Fn([i64; 2], [bool; 2]) -> Frustum,

@@ -18,8 +18,8 @@ pub fn room(map: &HeightMap, place: &Place, [least, most]: [f32; 2]) -> f64 {
     (height - f64::from(least)).min(f64::from(most) - height)
 }
 
-/// Probes the given number of places, each at a level; `bounds` is the least and the greatest height that a level has for
-/// a cell, not wrapped. Finds room in heights at a place, and the level.
+/// Probes the given number of places, each at a level; `bounds` is the least and the greatest height that a
+/// level has for a cell, not wrapped. Finds room in heights at a place, and the level.
 pub fn attack(
     map: &HeightMap,
     levels: usize,

@@ -143,7 +143,8 @@ impl Iterator for Probes<'_> {
     }
 }
 
-/// Returns how many of `count` rays come out inside the cone of their texel, and the ray that comes nearest to it.
+/// Returns how many of `count` rays come out inside the cone of their texel, and the ray
+/// that comes nearest to it.
 pub fn attack(probes: Probes<'_>, count: usize, ratio: impl Fn(&Exit) -> f64) -> (usize, Option<Exit>) {
     let mut violations = 0;
     let mut tightest: Option<(f64, Exit)> = None;

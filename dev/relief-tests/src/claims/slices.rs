@@ -1,4 +1,5 @@
-//! Claims of Kautz and Seidel about slices, measured on pictures of planes, of an object's images and of a cup's.
+//! Claims of Kautz and Seidel about slices, measured on pictures of planes, of an
+//! object's images and of a cup's.
 
 use std::sync::Arc;
 

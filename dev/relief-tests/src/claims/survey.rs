@@ -238,7 +238,8 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         section: "6.3",
-        text: "view-dependent maps take much storage: a map of cones has a tenth at most, beside few directions",
+        text: "view-dependent maps take much storage: a map of cones has a tenth at most, beside few \
+               directions",
         better: plain("cone"),
         worse: with("view-dependent", &[("search.azimuths", 8.0), ("search.elevations", 4.0)]),
         factor: 0.1,
@@ -248,7 +249,8 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         section: "6.3",
-        text: "singular value decomposition compresses view-dependent maps: fewer hits are off than of as many bytes",
+        text: "singular value decomposition compresses view-dependent maps: fewer hits are off than of as \
+               many bytes",
         better: with("view-dependent-svd", &[("search.rank", 8.0)]),
         worse: with("view-dependent", &[("search.azimuths", 4.0), ("search.elevations", 2.0)]),
         measure: Measure::Off,

@@ -168,7 +168,8 @@ impl Picture {
         Self::rendered_on(scene, renderer).0
     }
 
-    /// Contents of a scene's picture, and the backend's name: the number of threads, or the adapter and its driver.
+    /// Contents of a scene's picture, and the backend's name: the number of threads, or
+    /// the adapter and its driver.
     ///
     /// # Panics
     ///

@@ -7,10 +7,12 @@ use relief_shaders::cpu::Path;
 use serde_json::{Value, json};
 
 use super::bound::{Texels, texels_of};
-use super::called::{
-    Dialect, NUMBERS_OF_PATH, POINT, POINTS, Point, RESULT, body_of_paths, made, numbers_of,
-    numbers_of_point, settings_of, type_of,
+use super::called::body_of_paths;
+use super::dialect::Dialect;
+use super::numbers::{
+    NUMBERS_OF_PATH, POINT, POINTS, Point, RESULT, numbers_of, numbers_of_point, settings_of,
 };
+use super::text::{made, type_of};
 
 /// Numbers of a texel.
 const TEXEL: usize = 4;

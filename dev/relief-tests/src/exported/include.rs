@@ -74,8 +74,8 @@ impl Include {
         owned + rest
     }
 
-    /// The include with textures that a compute pass binds, without methods that take derivatives; and a body of
-    /// statements that calls methods.
+    /// The include with textures that a compute pass binds, without methods that take derivatives; and a body
+    /// of statements that calls methods.
     pub(super) fn in_compute(&self, body: &str) -> [String; 2] {
         let [of, value] = OWNER;
         let named = self.named();
@@ -89,8 +89,8 @@ impl Include {
         [text, format!("{filled}    {}", self.calls(body, &format!("{value}.")))]
     }
 
-    /// A fragment shader with a function as Unreal makes it of a Custom node with this code. `shown` makes four
-    /// numbers of what the node gives.
+    /// A fragment shader with a function as Unreal makes it of a Custom node with this code. `shown` makes
+    /// four numbers of what the node gives.
     pub fn in_node(&self, code: &str, scale: f32, shown: &str) -> String {
         let mut text = format!("{}{SURFACE}", self.named());
         let [mut inputs, mut given] = [String::new(), String::new()];
@@ -109,8 +109,9 @@ impl Include {
              float4 main(float2 uv : TEXCOORD0, float3 way : TEXCOORD1, float3 normal : TEXCOORD2, \
              float depth : TEXCOORD3, float3 sun : TEXCOORD4) : SV_Target\n{{\n    \
              float mask = 0.0;\n    float2 at = float2(0.0, 0.0);\n    float offset = 0.0;\n    \
-             float light = 1.0;\n    float3 bent = CustomExpression0(uv, way, normal, depth, {scale:?}, sun{given}, \
-             mask, at, offset, light);\n    return {shown};\n}}\n"
+             float light = 1.0;\n    \
+             float3 bent = CustomExpression0(uv, way, normal, depth, {scale:?}, sun{given}, mask, at, \
+             offset, light);\n    return {shown};\n}}\n"
         )
     }
 }

@@ -7,9 +7,9 @@ use relief_render::wgpu::{self, TextureFormat, TextureViewDimension};
 
 use super::Device;
 use super::bound::{texels_of, view_of};
-use super::called::Point;
 use super::drawn::picture;
 use super::include::{Include, compiled};
+use super::numbers::Point;
 
 /// Columns and rows of a picture.
 const SIDE: u32 = 64;

@@ -1,5 +1,5 @@
-//! Both backends give the same bits: the stages of all legal pairs, in parts of bearable length, and surfaces of
-//! shells.
+//! Both backends give the same bits: the stages of all legal pairs, in parts of bearable
+//! length, and surfaces of shells.
 
 use relief_shaders::surface::ENTRIES;
 use relief_tests::one_source::compare_part;

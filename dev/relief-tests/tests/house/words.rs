@@ -171,7 +171,8 @@ fn sentences_of_readme_architecture_and_guide_are_short() {
         let (lengths, long) = too_long(&read(&page));
         let Lengths { count, median, ninety, longest } = lengths;
         let line = format!(
-            "{}: {count} sentences, {median} words at the median, {ninety} at the 90th percentile, {longest} at most",
+            "{}: {count} sentences, {median} words at the median, {ninety} at the 90th percentile, {longest} \
+             at most",
             page.display()
         );
         println!("{line}");
@@ -214,7 +215,8 @@ fn each_phrase_is_seen_where_it_counts() {
 
         let mut command = Worn::default();
         let help = format!(
-            "/// {words}\n#[derive(Args)]\nstruct A {{\n    /// {words}\n    a: u8,\n}}\n/// {words}\nfn b() {{}}\n"
+            "/// {words}\n#[derive(Args)]\nstruct A {{\n    /// {words}\n    a: u8,\n}}\n/// {words}\n\
+             fn b() {{}}\n"
         );
         command.count_source(Path::new("a.rs"), &help, |kind| is_front(true, true, kind));
         assert_eq!((command.for_users.len(), command.elsewhere.len()), (2, 1), "{words}");

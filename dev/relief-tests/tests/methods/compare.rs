@@ -147,8 +147,8 @@ fn page_and_values_hold_the_numbers_of_the_records() {
     let json = serde_json::to_string(&compared.records).expect("JSON");
     let read: Records = serde_json::from_str(&json).expect("records");
     assert_eq!((read.rays.len(), read.pictures.len()), (8, 3));
-    // A picture and its differences for each method, the reference, and a drawing of each method that walks along a
-    // ray; nothing comes from elsewhere.
+    // A picture and its differences for each method, the reference, and a drawing of each method that walks
+    // along a ray; nothing comes from elsewhere.
     assert_eq!(html.matches("<img ").count(), 2 * 3 + 1 + 2);
     assert_eq!(html.matches("src=\"data:image/").count(), 2 * 3 + 1 + 2);
     for elsewhere in ["src=\"http", "href=", "url(", "@import", "fetch("] {

@@ -212,8 +212,8 @@ fn shells_that_overlap_themselves_show_what_the_judge_sees() {
         }
         let Comparison { inside, both, open, behind, .. } = &comparison;
         println!(
-            "from {bias_m} m: {folded} shells folded, {both} hits, {} compared, beyond half {:.5}, {open} open, \
-             {behind} behind; tetrahedra {} open, {} behind",
+            "from {bias_m} m: {folded} shells folded, {both} hits, {} compared, beyond half {:.5}, {open} \
+             open, {behind} behind; tetrahedra {} open, {} behind",
             inside.texels.len(),
             inside.beyond_half(),
             in_pieces.open,

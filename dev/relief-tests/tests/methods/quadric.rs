@@ -193,8 +193,8 @@ fn paths_are_those_of_the_definition() {
     assert!(paths > 2 * RAYS && silhouettes > RAYS / 4 && noticed > paths / 2);
 }
 
-/// Szirmay-Kalos and Umenhoffer 2008, section 6.3, takes the curvature along a view by Euler's formula, of the two
-/// principal curvatures and the angle between.
+/// Szirmay-Kalos and Umenhoffer 2008, section 6.3, takes the curvature along a view by Euler's formula, of
+/// the two principal curvatures and the angle between.
 #[test]
 fn paths_bend_by_eulers_formula() {
     let case = Case::on("quadric-vertical", "cells", "patch", map(Wrap::Repeat, DISPLACEMENTS[0]));

@@ -9,8 +9,8 @@ use super::picture::Grid;
 
 const SIDE: u32 = 64;
 
-/// A mushroom: the middle of its foot, the radius of the disc of ground that becomes it, and how far its cap leans, all
-/// in tiles.
+/// A mushroom: the middle of its foot, the radius of the disc of ground that becomes it, and how far
+/// its cap leans, all in tiles.
 struct Mushroom {
     centre: [f64; 2],
     radius: f64,
@@ -24,8 +24,8 @@ const MUSHROOMS: [Mushroom; 4] = [
     Mushroom { centre: [0.25, 0.76], radius: 0.19, lean: [-0.02, -0.05] },
 ];
 
-/// Distances from the middle and heights, in radii: control points of a quadratic B-spline from the ground up the
-/// stem, out under the cap and over it. It begins and ends between two of them.
+/// Distances from the middle and heights, in radii: control points of a quadratic B-spline from the ground up
+/// the stem, out under the cap and over it. It begins and ends between two of them.
 const PROFILE: [[f64; 2]; 11] = [
     [1.1, 0.0],
     [0.9, 0.0],
@@ -53,7 +53,8 @@ fn profile(part: f64) -> [f64; 2] {
     })
 }
 
-/// The parts of the vectors along tangent, normal and bitangent, in tiles; the bitangent points up in the map.
+/// The parts of the vectors along tangent, normal and bitangent, in tiles; the
+/// bitangent points up in the map.
 pub fn vectors() -> Grid<[f64; 3]> {
     Grid::square(SIDE, |u, v| {
         for mushroom in &MUSHROOMS {

@@ -15,7 +15,8 @@ fn commands(text: &str) -> Vec<(usize, String)> {
 
 #[test]
 fn commands_are_read_with_their_lines() {
-    let page = "text `relief no`\n\n```sh\n# why\nrelief render a.png \\\n    -o 'b c.png'  # so\n\ncargo test\n\
+    let page = "text `relief no`\n\n```sh\n# why\nrelief render a.png \\\n    -o 'b c.png'  # so\n\n\
+                cargo test\n\
                 cargo run --release --bin relief -- methods\n```\n```text\nrelief not run\n```\n";
     let expected = [(5, "render|a.png|-o|b c.png".to_owned()), (9, "methods".to_owned())];
     assert_eq!(commands(page), expected);
@@ -34,7 +35,8 @@ fn what_cannot_be_run_is_an_error_with_its_line() {
 
 #[test]
 fn files_pictures_and_rust_are_found() {
-    let page = "![a [b]](x.jpg) and ![](y.jpg)\n```toml\n# s.toml\na = 1\n```\n```toml\nb = 1\n```\n```rust\nf();\n```\n";
+    let page = "![a [b]](x.jpg) and ![](y.jpg)\n```toml\n# s.toml\na = 1\n```\n```toml\nb = 1\n```\n```rust\n\
+                f();\n```\n";
     let page = parse(Path::new("page.md"), page);
     assert_eq!(page.pictures, [(1, "x.jpg".to_owned()), (1, "y.jpg".to_owned())]);
     let text = "# s.toml\na = 1\n".to_owned();

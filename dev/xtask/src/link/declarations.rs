@@ -163,7 +163,8 @@ fn is_dispatch(name: &str) -> bool {
 /// The Rust module that holds the declarations.
 pub fn write(modules: &Modules, declarations: &[Declaration]) -> String {
     let mut text = String::from(
-        "// The shaders' declarations as they are written, and the names that each uses. Written by `cargo xtask link`;\n\
+        "// The shaders' declarations as they are written, and the names that each uses. Written by `cargo \
+         xtask link`;\n\
          // do not edit.\n\nuse crate::wgsl::{Declaration, Module, Sampling};\n\n\
          pub const MODULES: &[Module] = &[\n",
     );
@@ -183,7 +184,8 @@ pub fn write(modules: &Modules, declarations: &[Declaration]) -> String {
         };
         let _ = writeln!(
             text,
-            "    Declaration {{\n        module: {module:?},\n        name: {name:?},\n        sampling: {sampling},\n        \
+            "    Declaration {{\n        module: {module:?},\n        name: {name:?},\n        \
+             sampling: {sampling},\n        \
              uses: &{uses:?},\n        text: r#\"{code}\"#,\n    }},"
         );
     }
@@ -200,7 +202,8 @@ fn head(source: &str) -> String {
 mod tests {
     use super::*;
 
-    const SOURCE: &str = "// The head.\n\nimport package::other::helper;\n\n// A number.\nconst ONE = 1.0;\n\n\
+    const SOURCE: &str = "// The head.\n\nimport package::other::helper;\n\n// A number.\n\
+        const ONE = 1.0;\n\n\
         // Doubled.\n// Twice.\n@if(fast)\nfn twice(at: Pair) -> f32 {\n    // not helper\n    \
         return at.ONE * 2.0;\n}\n\n\
         @if(!fast)\nfn twice(at: Pair) -> f32 {\n    return helper(at.x) + ONE;\n}\n";

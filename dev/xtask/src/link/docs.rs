@@ -83,7 +83,8 @@ mod tests {
         let docs =
             docs("// A light.\nstruct Light {\n    // Where it is.\n    place: vec4f,\n    color: vec4f,\n}");
         let rust = "#[repr(C)]\npub struct Light {\n    pub place: Vec4,\n    pub color: Vec4,\n}\n";
-        let expected = "#[repr(C)]\n/// A light.\npub struct Light {\n    /// Where it is.\n    pub place: Vec4,\n    pub color: Vec4,\n}\n";
+        let expected = "#[repr(C)]\n/// A light.\npub struct Light {\n    /// Where it is.\n    \
+                        pub place: Vec4,\n    pub color: Vec4,\n}\n";
         assert_eq!(docs.add(rust).as_deref(), Ok(expected));
     }
 

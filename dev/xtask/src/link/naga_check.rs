@@ -162,8 +162,10 @@ mod tests {
 
     #[test]
     fn what_translates_passes() {
-        let source = "fn trial(x: vec3f) -> f32 {\n    var sum = 0.0;\n    var k = 0.0;\n    while (k < 3.0) {\n        \
-            sum = sum + sqrt(dot(x, x)) * x.xy.x;\n        k = k + 1.0;\n    }\n    return clamp(sum, 0.0, 1.0);\n}\n";
+        let source = "fn trial(x: vec3f) -> f32 {\n    var sum = 0.0;\n    var k = 0.0;\n    \
+            while (k < 3.0) {\n        \
+            sum = sum + sqrt(dot(x, x)) * x.xy.x;\n        k = k + 1.0;\n    }\n    \
+            return clamp(sum, 0.0, 1.0);\n}\n";
         assert_eq!(refused(source), None);
     }
 
@@ -188,7 +190,8 @@ mod tests {
 
     #[test]
     fn loops_with_a_continuing_block_and_private_variables_are_refused() {
-        let counted = "fn trial(x: f32) -> f32 {\n    var y = x;\n    for (var k = 0; k < 3; k++) {\n        y = y + x;\n    }\n    return y;\n}\n";
+        let counted = "fn trial(x: f32) -> f32 {\n    var y = x;\n    for (var k = 0; k < 3; k++) {\n        \
+                       y = y + x;\n    }\n    return y;\n}\n";
         assert!(refused(counted).is_some_and(|said| said.contains("use while")));
         let private = "var<private> state: f32;\nfn trial(x: f32) -> f32 {\n    return x + state;\n}\n";
         assert!(refused(private).is_some_and(|said| said.contains("state")));

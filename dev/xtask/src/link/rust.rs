@@ -97,8 +97,9 @@ fn bound(module: &Module) -> String {
         let _ = writeln!(fields, "            {name}: {value},");
     }
     format!(
-        "impl<'g> Resources<'g> {{\n    /// What the stages are called on.\n    pub(crate) fn of(bound: &crate::cpu::Bound<'g>) -> \
-         Self {{\n        Self {{\n{fields}        }}\n    }}\n}}\n"
+        "impl<'g> Resources<'g> {{\n    /// What the stages are called on.\n    \
+         pub(crate) fn of(bound: &crate::cpu::Bound<'g>) -> Self {{\n        Self {{\n\
+         {fields}        }}\n    }}\n}}\n"
     )
 }
 

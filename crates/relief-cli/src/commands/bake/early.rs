@@ -68,8 +68,8 @@ pub fn check_memory(
     let needed = (output.saturating_add(input).saturating_mul(3) / 2).saturating_add(copy);
     if let Some(ByteSize(limit)) = limit.filter(|limit| needed > limit.0) {
         return Err(format!(
-            "a bake of {width}x{height} texels needs about {needed} bytes of memory, more than the {limit} allowed: \
-             raise --max-memory"
+            "a bake of {width}x{height} texels needs about {needed} bytes of memory, more than the {limit} \
+             allowed: raise --max-memory"
         ));
     }
     // The map is in memory already. A granted request is no proof that the memory can be used, but
@@ -78,8 +78,8 @@ pub fn check_memory(
     let refused = Vec::<u8>::new().try_reserve_exact(more).is_err();
     if refused {
         return Err(format!(
-            "a bake of {width}x{height} texels needs about {needed} bytes of memory, which the system refuses: make \
-             the map smaller, or end other programs"
+            "a bake of {width}x{height} texels needs about {needed} bytes of memory, which the system \
+             refuses: make the map smaller, or end other programs"
         ));
     }
     Ok(())

@@ -137,8 +137,8 @@ impl Plan {
                 fits.map_err(|_| {
                     let format = packing.format.extension();
                     format!(
-                        "{width}x{height} texels do not fit into an {format} file: the limit is {MAX_SIDE} texels a \
-                         side and {MAX_TEXELS} in all: use another --format, or a smaller map"
+                        "{width}x{height} texels do not fit into an {format} file: the limit is {MAX_SIDE} \
+                         texels a side and {MAX_TEXELS} in all: use another --format, or a smaller map"
                     )
                 })
             }

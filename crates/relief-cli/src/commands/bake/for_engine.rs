@@ -68,10 +68,10 @@ pub fn long_help() -> String {
         ENGINES.iter().map(|engine| format!("{} ({})", engine.name, engine.title)).collect();
     format!(
         "--for takes a folder of textures or a height map, and writes base colour, normals, packed \
-         occlusion, roughness and metalness, heights and emission with the names, channels, green and bits of \
-         an engine: {}. Normals are baked where the folder has none. A text file says where each file and the \
-         scale go; for three, bevy and gltf there is a glTF of a plane, too. `relief render DIR` shows the \
-         result. `relief engine` writes the same with shaders of a method, a mesh, and a page or scene.",
+         occlusion, roughness and metalness, heights and emission with the names, channels, green and bits \
+         of an engine: {}. Normals are baked where the folder has none. A text file says where each file and \
+         the scale go; for three, bevy and gltf there is a glTF of a plane, too. `relief render DIR` shows \
+         the result. `relief engine` writes the same with shaders of a method, a mesh, and a page or scene.",
         names.join(", ")
     )
 }

@@ -122,8 +122,8 @@ impl<'a> Outputs<'a> {
             return Ok(());
         }
         Err(Failure::Work(format!(
-            "{}: exists already, and relief did not write it for this map: move it away, give another --output, or \
-             replace it with --force",
+            "{}: exists already, and relief did not write it for this map: move it away, give another \
+             --output, or replace it with --force",
             path.display()
         )))
     }
@@ -136,8 +136,8 @@ impl<'a> Outputs<'a> {
         match listed {
             Some(file) if !self.force && path.exists() && !file.is_in(self.earlier.folder) => {
                 Err(Failure::Work(format!(
-                    "{}: has been changed since relief wrote it: move it away, give another --output, or replace it \
-                     with --force",
+                    "{}: has been changed since relief wrote it: move it away, give another --output, or \
+                     replace it with --force",
                     path.display()
                 )))
             }

@@ -67,7 +67,8 @@ impl Job<'_> {
             .iter()
             .map(|baked| {
                 json!({
-                    "kind": baked.kind, "key": baked.key, "files": baked.files, "up_to_date": baked.up_to_date,
+                    "kind": baked.kind, "key": baked.key,
+                    "files": baked.files, "up_to_date": baked.up_to_date,
                     "seconds": baked.seconds,
                 })
             })

@@ -32,8 +32,8 @@ pub fn read<'k>(
     if let Some(Kind { name, .. }) = of_volume {
         let file = arguments.height.display();
         return Err(Failure::Usage(format!(
-            "{file}: {name} is of volumes: give one, which `relief volume` makes; of a picture of slices say how \
-             they lie, with --set {name}.columns, {name}.rows and {name}.slices"
+            "{file}: {name} is of volumes: give one, which `relief volume` makes; of a picture of slices say \
+             how they lie, with --set {name}.columns, {name}.rows and {name}.slices"
         )));
     }
     let options = arguments.reading.options(arguments.max_memory);

@@ -182,20 +182,21 @@ impl Storage {
         for Channel { name, rounding, .. } in channels {
             if *rounding != Rounding::Nearest {
                 return Err(format!(
-                    "block compression would break the guarantee of the channel '{name}', whose values may only be \
-                     rounded to one side: leave --texels bc out"
+                    "block compression would break the guarantee of the channel '{name}', whose values may \
+                     only be rounded to one side: leave --texels bc out"
                 ));
             }
             if name.starts_with(FACTORS) {
                 return Err(
-                    "block compression would change the scales of a compressed map's products: leave --texels bc out"
+                    "block compression would change the scales of a compressed map's products: leave \
+                     --texels bc out"
                         .to_owned(),
                 );
             }
             if name.contains("height") && !lossy_heights {
                 return Err(format!(
-                    "block compression keeps 8 levels per block of the channel '{name}', between ends of 8 bits: \
-                     give --lossy-heights if another copy of the heights exists"
+                    "block compression keeps 8 levels per block of the channel '{name}', between ends of 8 \
+                     bits: give --lossy-heights if another copy of the heights exists"
                 ));
             }
         }

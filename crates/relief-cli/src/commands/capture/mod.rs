@@ -94,16 +94,17 @@ const AFTER_HELP: &str = "Examples:\n  \
     relief capture rock.ply --views hemi --grid 7 --size 64 --bits 8 -o rock # for a camera above\n  \
     relief capture lamp.glb --perspective 40 --cover pixel -o lamp   # perspective, nothing thin lost\n\n\
     The object is solid where all of its images allow it: hollows that no image looks into are filled.\n\n\
-    The folder gets object.toml, depth.exr (or .png), normal.png and, for a mesh with colours, color.png; for \
-    octahedral grids also normal-depth.png, as engines have it. Colours are the base colour and picture of a \
-    glTF's material; colours of vertices are not read. Both sides of triangles are captured.\n\n\
-    The comparison gives the intersection over union (IoU) of the pixels that show object and mesh, and their \
-    mean distance in percent of the diameter of the object's ball.";
+    The folder gets object.toml, depth.exr (or .png), normal.png and, for a mesh with colours, color.png; \
+    for octahedral grids also normal-depth.png, as engines have it. Colours are the base colour and picture \
+    of a glTF's material; colours of vertices are not read. Both sides of triangles are captured.\n\n\
+    The comparison gives the intersection over union (IoU) of the pixels that show object and mesh, and \
+    their mean distance in percent of the diameter of the object's ball.";
 
 /// Note on images that leave nothing of the object.
-const NO_SOLID: &str = "the object is empty: what an image does not see is not solid, and a flat card is seen by \
-    no image along it. --cover pixel with an odd --size keeps cards in the middle, and a mesh with thickness \
-    stays. `relief render --method impostor-blend` shows images of --views octahedral or hemi all the same";
+const NO_SOLID: &str = "the object is empty: what an image does not see is not solid, and a flat card is \
+    seen by no image along it. --cover pixel with an odd --size keeps cards in the middle, and a mesh with \
+    thickness stays. `relief render --method impostor-blend` shows images of --views octahedral or hemi all \
+    the same";
 
 /// Default of `--grid`: images along a side, or directions.
 const DEFAULT_GRID: u32 = 8;
@@ -195,7 +196,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         subject.notes.iter().for_each(say::note);
         if arguments.cover.is_none() && arguments.verify == 0 {
             say::note(
-                "--verify 0 compares nothing with the mesh, so --cover pixel is used, which loses nothing thin",
+                "--verify 0 compares nothing with the mesh, so --cover pixel is used, which loses nothing \
+                 thin",
             );
         }
     }
@@ -248,7 +250,8 @@ impl Arguments {
         }
         if self.cover == Some(CoverChoice::Auto) && self.verify == 0 {
             return Err(Failure::usage(
-                "--cover auto compares with the mesh, and --verify 0 does not: choose --cover centre or pixel",
+                "--cover auto compares with the mesh, and --verify 0 does not: choose --cover centre or \
+                 pixel",
             ));
         }
         let [most, _] = MAX_PICTURES;

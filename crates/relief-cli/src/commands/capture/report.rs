@@ -114,7 +114,8 @@ impl CaptureReport<'_> {
             "bits": captured.bits, "cover": captured.cover.name(), "centre_m": centre.to_array(),
             "radius_m": radius, "texel_m": captured.views.first().map(View::texel_m),
             "triangles": subject.mesh.triangles().len(), "open_edges": self.open_edges,
-            "seen": captured.seen, "solid": self.is_solid, "backs": captured.backs, "colors": subject.colors.is_some(),
+            "seen": captured.seen, "solid": self.is_solid,
+            "backs": captured.backs, "colors": subject.colors.is_some(),
             "measured": written.map(|(cover, measured)| row(*cover, measured)), "compared": compared,
             "seconds": self.seconds,
         })

@@ -128,8 +128,8 @@ fn displaced(
     if needed > arguments.max_bytes() {
         let (triangles, limit) = (mesher.triangles(), ByteSize(arguments.max_bytes()));
         return Err(at(&format!(
-            "its {triangles} triangles take {} MiB, more than the {limit} allowed: --max-memory raises the limit, \
-             and `relief mesh` makes coarser meshes for capture to read",
+            "its {triangles} triangles take {} MiB, more than the {limit} allowed: --max-memory raises the \
+             limit, and `relief mesh` makes coarser meshes for capture to read",
             needed.div_ceil(1 << 20)
         )));
     }

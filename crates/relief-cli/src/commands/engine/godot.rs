@@ -113,7 +113,8 @@ fn of_demo(sheet: &Sheet) -> String {
         let side = 6.0 * radius;
         format!(
             "[node name=\"Floor\" type=\"MeshInstance3D\" parent=\".\"]\n\
-             transform = Transform3D({side:?}, 0, 0, 0, 1, 0, 0, 0, {side:?}, {left:?}, {floor_y:?}, {back:?})\n\
+             transform = Transform3D({side:?}, 0, 0, 0, 1, 0, 0, 0, {side:?}, {left:?}, {floor_y:?}, \
+             {back:?})\n\
              mesh = SubResource(\"floor\")\n\n"
         )
     } else {
@@ -123,7 +124,8 @@ fn of_demo(sheet: &Sheet) -> String {
         "[gd_scene load_steps=6 format=3]\n\n\
          [ext_resource type=\"PackedScene\" path={scene} id=\"scene\"]\n\n\
          [sub_resource type=\"ProceduralSkyMaterial\" id=\"sky_material\"]\n\
-         ground_bottom_color = Color(0.45, 0.45, 0.45, 1)\nground_horizon_color = Color(0.65, 0.66, 0.67, 1)\n\n\
+         ground_bottom_color = Color(0.45, 0.45, 0.45, 1)\n\
+         ground_horizon_color = Color(0.65, 0.66, 0.67, 1)\n\n\
          [sub_resource type=\"PlaneMesh\" id=\"floor\"]\nsize = Vector2(1, 1)\n\n\
          [sub_resource type=\"Sky\" id=\"sky\"]\nsky_material = SubResource(\"sky_material\")\n\n\
          [sub_resource type=\"Environment\" id=\"environment\"]\n\

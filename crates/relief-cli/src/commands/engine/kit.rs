@@ -321,8 +321,8 @@ fn of_maps(kit: &EngineKit, options: &FunctionOptions) -> Failure {
     };
     let names = METHODS.iter().map(|method| method.name).filter(|name| goes(name).is_some());
     Failure::Usage(format!(
-        "--method: it reads maps of more than one layer, or a volume, which the kit for {} does not write: choose \
-         {}, or write the functions alone with `relief shader --entry functions`",
+        "--method: it reads maps of more than one layer, or a volume, which the kit for {} does not write: \
+         choose {}, or write the functions alone with `relief shader --entry functions`",
         kit.title,
         names.collect::<Vec<_>>().join(", ")
     ))

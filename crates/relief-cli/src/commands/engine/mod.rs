@@ -43,8 +43,8 @@ const EXAMPLES: &str = "Examples:\n  relief engine three bricks.png -o page     
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// Engine: three (three.js, a page), godot (Godot 4, a scene), bevy (a program) or unreal (Unreal Engine 5,
-    /// includes and a node for a material)
+    /// Engine: three (three.js, a page), godot (Godot 4, a scene), bevy (a program) or unreal (Unreal Engine
+    /// 5, includes and a node for a material)
     #[arg(value_name = "ENGINE")]
     engine: String,
     /// Height map, or a folder of textures
@@ -128,8 +128,8 @@ fn kit_of(name: &str) -> Result<&'static EngineKit, Failure> {
     let known = KITS.map(|kit| kit.engine);
     if ENGINES.iter().any(|engine| engine.name == name) {
         return Err(Failure::Usage(format!(
-            "{name}: there is no kit for it, only for {}: `relief bake --for {name}` writes its textures, and \
-             `relief shader --entry functions` a method for its shaders",
+            "{name}: there is no kit for it, only for {}: `relief bake --for {name}` writes its textures, \
+             and `relief shader --entry functions` a method for its shaders",
             known.join(", ")
         )));
     }

@@ -98,7 +98,8 @@ fn head(sheet: &Sheet) -> String {
         "// Relief in a Custom node of Unreal Engine 5: search `{}`, refinement `{}`, surface `{}`.\n\
          // Written by `relief engine`. All of it goes into the node's Code.\n//\n\
          // Include File Paths: /Project/relief.ush and /Project/relief_surface.ush\n\
-         // Output Type: CMOT Float 3, to Normal; switch off the material's Tangent Space Normal\n//\n// Inputs:\n",
+         // Output Type: CMOT Float 3, to Normal; switch off the material's Tangent Space Normal\n//\n\
+         // Inputs:\n",
         named("search"),
         named("refine"),
         named("surface"),

@@ -69,10 +69,12 @@ pub struct Arguments {
 
 const AFTER_HELP: &str = "Examples:\n  relief height for-mesh bark.png --mesh tree.glb --lift -o tree.exr\n  \
     relief height for-mesh wall.exr --mesh hall.obj --gutter 4 -o hall.exr\n\n\
-    With --lift the map shows over flat triangles what the given map shows with `--set surface.lift=1`, up to \
-    its resolution. The file states its scale and bias, which are printed, too. Light it by a normal map of \
-    the given map (`relief bake --kind normal`), since the mesh's own normals bend with its smooth base.\n\n\
-    --fill fills texels without a value; `relief render --holes` shows them as openings. Only EXR holds them.";
+    With --lift the map shows over flat triangles what the given map shows with `--set surface.lift=1`, up \
+    to its resolution. The file states its scale and bias, which are printed, too. Light it by a normal map \
+    of the given map (`relief bake --kind normal`), since the mesh's own normals bend with its smooth \
+    base.\n\n\
+    --fill fills texels without a value; `relief render --holes` shows them as openings. Only EXR holds \
+    them.";
 
 /// Reads the map and the mesh, adapts the map and writes it.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -127,8 +129,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         if *json {
             let about = json!({
                 "input": path.display().to_string(), "mesh": arguments.mesh.to_string(),
-                "output": output.path.display().to_string(), "width": width, "height": height, "scale_m": scale_m,
-                "bias_m": bias_m, "tile_m": tile_m, "lift_m": adapted.lift_m, "without_value": adapted.without_value,
+                "output": output.path.display().to_string(),
+                "width": width, "height": height, "scale_m": scale_m,
+                "bias_m": bias_m, "tile_m": tile_m, "lift_m": adapted.lift_m,
+                "without_value": adapted.without_value,
                 "seconds": seconds, "notes": maps::as_json(&notes),
             });
             writeln!(out, "{about:#}")?;

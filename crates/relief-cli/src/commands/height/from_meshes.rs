@@ -85,8 +85,8 @@ pub struct Arguments {
 const AFTER_HELP: &str = "Examples:\n  \
     relief height from-meshes --low low.glb --high scan.ply --size 2048x2048 --normals n.png -o h.exr\n  \
     relief height from-meshes --low column.obj --high cylinder --size 512x256 --cage 5cm -o column.exr\n\n\
-    Each texel searches along the interpolated normal of the simple mesh, both ways. The file states its scale \
-    and bias: `relief render --height h.exr --normal n.png --mesh low.glb` and `relief mesh h.exr \
+    Each texel searches along the interpolated normal of the simple mesh, both ways. The file states its \
+    scale and bias: `relief render --height h.exr --normal n.png --mesh low.glb` and `relief mesh h.exr \
     --mesh low.glb` show the detailed mesh without further flags.\n\n\
     Of several faces that look outward the nearest counts, so a cage may be wide. With --layer outermost it \
     must be narrower than the gaps between parts. Texels without a hit are counted and filled from their \

@@ -69,12 +69,13 @@ pub struct Arguments {
 
 fn after_help() -> String {
     format!(
-        "Example:\n  relief height from-normals rock_normal.png -o rock.exr\n  relief bake rock.exr --kind cone,horizon -o .\n\n\
-         Files of `relief bake --kind normal` state their own wrap, tile and green. For others the default of --wrap is repeat, \
-         of --damping 0.1. Texels that are black, white, grey or transparent hold no normal; heights beside them do not depend \
-         on them. {WRITTEN}\n\n\
-         Normals do not say which way is out. If a relief comes back inside out, red and green both point the other way: the \
-         height map is a depth map (use --depth in other commands)."
+        "Example:\n  relief height from-normals rock_normal.png -o rock.exr\n  \
+         relief bake rock.exr --kind cone,horizon -o .\n\n\
+         Files of `relief bake --kind normal` state their own wrap, tile and green. For others the default \
+         of --wrap is repeat, of --damping 0.1. Texels that are black, white, grey or transparent hold no \
+         normal; heights beside them do not depend on them. {WRITTEN}\n\n\
+         Normals do not say which way is out. If a relief comes back inside out, red and green both point \
+         the other way: the height map is a depth map (use --depth in other commands)."
     )
 }
 
@@ -247,8 +248,9 @@ impl Arguments {
         if 2 * faults.below_horizon > texels {
             let percent = 100.0 * faults.below_horizon as f64 / texels as f64;
             return Err(Failure::Work(format!(
-                "{name}: {percent:.0} % of its normals point along the surface or into it (blue at or below the middle): give \
-                 a tangent-space normal map with blue, not one in object space or with two channels{}",
+                "{name}: {percent:.0} % of its normals point along the surface or into it (blue at or below \
+                 the middle): give a tangent-space normal map with blue, not one in object space or with two \
+                 channels{}",
                 may_be(suspects)
             )));
         }
@@ -257,8 +259,8 @@ impl Arguments {
         };
         let kinds = hole_kinds(&faults).map(|(count, kind)| format!("{count} {kind}"));
         Err(Failure::Work(format!(
-            "{name}: {} of its texels hold no normal ({}), the first at ({column}, {row}): give --fill to fill them from their \
-             surroundings, or write an EXR, which keeps them as holes",
+            "{name}: {} of its texels hold no normal ({}), the first at ({column}, {row}): give --fill to \
+             fill them from their surroundings, or write an EXR, which keeps them as holes",
             faults.holes(),
             kinds.collect::<Vec<String>>().join(", ")
         )))
@@ -276,8 +278,8 @@ impl Arguments {
             may_be(suspects)
         };
         Err(Failure::Work(format!(
-            "{}: {percent:.0} % of its slopes fit no relief, more than --max-misfit {}{what}. Give a tangent-space normal map, \
-             or --max-misfit 100 to take this one",
+            "{}: {percent:.0} % of its slopes fit no relief, more than --max-misfit {}{what}. Give a \
+             tangent-space normal map, or --max-misfit 100 to take this one",
             self.normals.display(),
             self.max_misfit
         )))
@@ -361,7 +363,8 @@ impl GreenAnswer {
                 format!("{way}, which fits a relief better, confidence {:.0} %", 100.0 * fit.confidence)
             }
             _ => format!(
-                "taken to point {way}: the normals fit a relief as well either way (set it with --green up or down)"
+                "taken to point {way}: the normals fit a relief as well either way (set it with --green up \
+                 or down)"
             ),
         }
     }
@@ -377,7 +380,8 @@ impl GreenAnswer {
 fn faults_as_json(faults: &NormalFaults) -> Value {
     json!({
         "without_direction": faults.without_direction, "background": faults.background,
-        "transparent": faults.transparent, "mixed": faults.mixed, "holes": faults.holes(), "not_unit": faults.not_unit,
+        "transparent": faults.transparent, "mixed": faults.mixed,
+        "holes": faults.holes(), "not_unit": faults.not_unit,
         "below_horizon": faults.below_horizon, "too_steep": faults.too_steep,
     })
 }

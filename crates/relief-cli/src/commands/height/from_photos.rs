@@ -59,19 +59,23 @@ pub struct Arguments {
 
 fn after_help() -> String {
     format!(
-        "A file of lights:\n\n  # Photographs of one matt object from straight above, each with one distant light on.\n  \
+        "A file of lights:\n\n  \
+         # Photographs of one matt object from straight above, each with one distant light on.\n  \
          [[photo]]\n  file = \"left.png\"         # from the folder of this file\n  \
          light = [-0.5, 0.0, 0.8]  # toward the light: right, up, toward the camera; of any length\n  \
-         [[photo]]\n  file = \"right.png\"\n  light = [0.5, 0.0, 0.8]\n  intensity = 1.2           # brightness of a white \
-         surface that faces it [default: 1]\n  [[photo]]\n  file = \"top.png\"\n  light = [0.0, 0.5, 0.8]\n\n\
-         Three lights or more are needed, not in one plane with the surface. Above the list the file may set:\n\n  \
-         linear = true       # integer samples are proportional to light [default: as a PNG says, else they are sRGB; \
-         floats are linear]\n  \
+         [[photo]]\n  file = \"right.png\"\n  light = [0.5, 0.0, 0.8]\n  \
+         intensity = 1.2           # brightness of a white surface that faces it [default: 1]\n  \
+         [[photo]]\n  file = \"top.png\"\n  light = [0.0, 0.5, 0.8]\n\n\
+         Three lights or more are needed, not in one plane with the surface. Above the list the file may \
+         set:\n\n  \
+         linear = true       # integer samples are proportional to light [default: as a PNG says, else they \
+         are sRGB; floats are linear]\n  \
          shadow = 0.01       # samples up to this linear brightness are in shadow, and left out\n  \
          overexposed = 1.0   # samples from this linear brightness on are left out; inf for never\n\n\
-         Example:\n  relief height from-photos lights.toml -o coin.exr --normals normal.png --albedo albedo.png\n\n\
-         Slopes that fewer than three lights reach are filled from their surroundings. The default of --wrap is clamp, of \
-         --damping 0.1. {WRITTEN}"
+         Example:\n  \
+         relief height from-photos lights.toml -o coin.exr --normals normal.png --albedo albedo.png\n\n\
+         Slopes that fewer than three lights reach are filled from their surroundings. The default of --wrap \
+         is clamp, of --damping 0.1. {WRITTEN}"
     )
 }
 
@@ -169,7 +173,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         {
             writeln!(
                 out,
-                "  albedo      up to {brightest:.2}, clipped to 1 in the PNG: scale the intensities by that, or write an EXR"
+                "  albedo      up to {brightest:.2}, clipped to 1 in the PNG: scale the intensities by that, \
+                 or write an EXR"
             )?;
         }
         Ok(())
@@ -267,8 +272,8 @@ fn of_solving(error: PhotometricError, lights: &Lights) -> Failure {
             lights.of_photo(photo, &what)
         }
         PhotometricError::NothingKnown => Failure::Work(format!(
-            "{}: no pixel is lit in three photographs whose lights are well spread: samples count from 'shadow' = {} to \
-             'overexposed' = {}: lower the first or raise the second",
+            "{}: no pixel is lit in three photographs whose lights are well spread: samples count from \
+             'shadow' = {} to 'overexposed' = {}: lower the first or raise the second",
             lights.path.display(),
             lights.exposure.shadow,
             lights.exposure.overexposed

@@ -71,15 +71,15 @@ pub struct Arguments {
 
 const AFTER_HELP: &str = "Examples:\n  relief height from-shading photo.png --light -1,1,1 -o photo.exr\n  \
     relief height from-shading photo.png --light 0.87,0,0.5 --albedo 0.6 --wrap repeat -o photo.exr\n\n\
-    The result is a guess, and the file says so. One brightness does not determine a slope: slopes across the \
-    light hardly show, and some hollows look like hills. The heights that explain the photograph are found \
-    coarse to fine, with small slopes where nothing is seen. If the photograph tiles, give `--wrap repeat`: \
-    the opposite edges then say more about the slopes across the light.\n\n\
+    The result is a guess, and the file says so. One brightness does not determine a slope: slopes across \
+    the light hardly show, and some hollows look like hills. The heights that explain the photograph are \
+    found coarse to fine, with small slopes where nothing is seen. If the photograph tiles, give `--wrap \
+    repeat`: the opposite edges then say more about the slopes across the light.\n\n\
     The surface should be matt and of one colour, under one distant light. Cast shadows, gloss and painted \
     patterns become false relief. A light 60 degrees from straight above shows more than a high one. With \
     three photographs or more under different lights, use `relief height from-photos`.\n\n\
-    Colours become luminance in linear light: integer samples are read as sRGB unless the file says otherwise. \
-    The file states the heights in metres: `relief inspect` shows them.";
+    Colours become luminance in linear light: integer samples are read as sRGB unless the file says \
+    otherwise. The file states the heights in metres: `relief inspect` shows them.";
 
 /// Reads three numbers.
 fn direction(text: &str) -> Result<[f64; 3], String> {
@@ -183,15 +183,16 @@ fn tell_doubts(found: &ShadedHeights, percent: impl Fn(usize) -> f64) {
     }
     if found.too_bright > 0 {
         say::note(format!(
-            "{:.1} % of the pixels are brighter than the albedo {}, which no slope explains: give a larger --albedo, or none",
+            "{:.1} % of the pixels are brighter than the albedo {}, which no slope explains: give a larger \
+             --albedo, or none",
             percent(found.too_bright),
             values::six_digits(found.albedo)
         ));
     }
     if percent(found.dark) >= SHADOWED_PERCENT {
         say::note(format!(
-            "{:.1} % of the pixels are black: cast shadows become false relief; photographs under three lights or more \
-             (`relief height from-photos`) can leave shadows out",
+            "{:.1} % of the pixels are black: cast shadows become false relief; photographs under three \
+             lights or more (`relief height from-photos`) can leave shadows out",
             percent(found.dark)
         ));
     }

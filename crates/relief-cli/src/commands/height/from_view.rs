@@ -223,8 +223,8 @@ impl Arguments {
         };
         if view.eye().is_some() {
             return Err(Failure::Work(format!(
-                "{}: image {} is perspective, so its depths are not linear: choose an orthographic image, or capture \
-                 the object without `--perspective`",
+                "{}: image {} is perspective, so its depths are not linear: choose an orthographic image, or \
+                 capture the object without `--perspective`",
                 self.object.display(),
                 self.view
             )));

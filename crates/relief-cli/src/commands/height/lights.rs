@@ -118,7 +118,8 @@ impl Lights {
                 self.failure(&self.photos[photo].light_at, what)
             }
             PhotometricError::TooFew(count) => Failure::Work(format!(
-                "{}: three or more photographs are needed, each under [[photo]], and {count} are listed: add more",
+                "{}: three or more photographs are needed, each under [[photo]], and {count} are listed: add \
+                 more",
                 self.path.display()
             )),
             other => Failure::Work(format!("{}: {other}", self.path.display())),
@@ -126,7 +127,8 @@ impl Lights {
         // A light below the surface, or along it, lights nothing that the camera sees.
         match self.photos.iter().find(|photo| photo.to_light[2] <= 0.0) {
             Some(photo) => {
-                let what = "the light is not above the surface: its third number, towards the camera, must be above 0";
+                let what = "the light is not above the surface: its third number, towards the camera, must \
+                            be above 0";
                 Err(self.failure(&photo.light_at, what))
             }
             None => Ok(()),

@@ -243,15 +243,15 @@ impl Arguments {
             None if is_pattern => {
                 let path = self.output.display();
                 return Err(Failure::Usage(format!(
-                    "--output {path}: the name has a placeholder for a frame number: give the range with --frames, \
-                     as in --frames 0..47"
+                    "--output {path}: the name has a placeholder for a frame number: give the range with \
+                     --frames, as in --frames 0..47"
                 )));
             }
             Some(_) if !is_pattern => {
                 let path = self.output.display();
                 return Err(Failure::Usage(format!(
-                    "--output {path}: all frames would have this name: give it a placeholder for their numbers, \
-                     as in waves_%04d.png"
+                    "--output {path}: all frames would have this name: give it a placeholder for their \
+                     numbers, as in waves_%04d.png"
                 )));
             }
             None => vec![(Output::new("--output", &self.output, &[])?, self.time)],

@@ -86,7 +86,8 @@ fn print(
         let name = projection.name();
         writeln!(
             out,
-            "  note        it has no texture coordinates of its own: charts and tiles are measured with --project {name}"
+            "  note        it has no texture coordinates of its own: charts and tiles are measured with \
+             --project {name}"
         )?;
     }
     let open = match measures.open_edges {

@@ -33,7 +33,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         if arguments.json {
             let about = json!({
                 "input": name, "format": "KTX2", "size": volume.size(), "bits": bits, "compression": packed,
-                "solid": share_solid(volume), "scale_m": volume.atlas().scale_m(), "bias_m": volume.atlas().bias_m(),
+                "solid": share_solid(volume), "scale_m": volume.atlas().scale_m(),
+                "bias_m": volume.atlas().bias_m(),
                 "tile_m": file.tile_m, "wrap": volume.wrap().name(),
             });
             return Ok(writeln!(out, "{about:#}")?);

@@ -233,8 +233,8 @@ impl MapPlacement {
         if self.system != CoordinateSystem::Projected {
             let crs = self.crs().unwrap_or_else(|| self.system.name().to_owned());
             return Err(Failure::Work(format!(
-                "--place: metres of {crs} depend on the latitude, so the mesh has no place in metres: project \
-                 the map first, as with gdalwarp -t_srs EPSG:32633"
+                "--place: metres of {crs} depend on the latitude, so the mesh has no place in metres: \
+                 project the map first, as with gdalwarp -t_srs EPSG:32633"
             )));
         }
         let [x, y] = [0, 1].map(|axis| self.middle[axis] * self.metres_per_unit[axis]);

@@ -133,8 +133,8 @@ fn made(
         ShellMapError::FarMotif(_) => Failure::Work(format!("--motif: {error}")),
         ShellMapError::TooWide { .. } => Failure::Work(format!("--tile: {error}")),
         ShellMapError::TooLarge { expected, most } => Failure::Work(format!(
-            "the mesh would have about {expected} triangles, more than {most}: give fewer tiles with --tile, a motif of \
-             fewer triangles or a map of fewer texels, or more memory with --max-memory"
+            "the mesh would have about {expected} triangles, more than {most}: give fewer tiles with --tile, \
+             a motif of fewer triangles or a map of fewer texels, or more memory with --max-memory"
         )),
         error => Failure::work(error),
     })
@@ -160,8 +160,8 @@ fn require_coordinates(file: &Path, limit: u64) -> Result<(), Failure> {
     match mesh.triangles.iter().filter(has_none).count() {
         0 => Ok(()),
         missing => Err(Failure::Work(format!(
-            "{}: {missing} of {} triangles have no texture coordinates, which the tiles of the motif follow: give \
-             --project box, cylinder or sphere",
+            "{}: {missing} of {} triangles have no texture coordinates, which the tiles of the motif follow: \
+             give --project box, cylinder or sphere",
             file.display(),
             mesh.triangles.len()
         ))),
@@ -182,24 +182,24 @@ fn notes_on(motif: &Path, map: &ShellMap) -> Vec<String> {
         let numbers: Vec<String> = map.folded.iter().take(MOST_NUMBERS).map(u32::to_string).collect();
         let more = if map.folded.len() > MOST_NUMBERS { ", ..." } else { "" };
         notes.push(format!(
-            "the shells of {} triangles of the mesh fold, as they are deeper than its curvature allows ({}{more}): give \
-             more tiles with --tile, a smaller --scale, or another --bias",
+            "the shells of {} triangles of the mesh fold, as they are deeper than its curvature allows \
+             ({}{more}): give more tiles with --tile, a smaller --scale, or another --bias",
             map.folded.len(),
             numbers.join(", ")
         ));
     }
     if map.without_area > 0 {
         notes.push(format!(
-            "{} triangles of the mesh have no area in texture coordinates, and carry nothing: --project makes \
-             coordinates",
+            "{} triangles of the mesh have no area in texture coordinates, and carry nothing: --project \
+             makes coordinates",
             map.without_area
         ));
     }
     if map.open_edges > 0 {
         notes.push(format!(
-            "the result has {} open edges: where motif, mesh or texture coordinates have a border, or where it is cut \
-             off; a closed motif leaves none on a closed mesh with whole numbers of tiles whose texture coordinates \
-             join at their seams",
+            "the result has {} open edges: where motif, mesh or texture coordinates have a border, or where \
+             it is cut off; a closed motif leaves none on a closed mesh with whole numbers of tiles whose \
+             texture coordinates join at their seams",
             map.open_edges
         ));
     }

@@ -169,7 +169,8 @@ impl MeshReport<'_> {
                 "output": arguments.output.display().to_string(), "format": format.name(),
                 "vertices": vertices, "triangles": triangles,
                 "open_edges": open, "branching_edges": branching, "pieces": pieces,
-                "size_m": size_m, "up": up.name(), "scale_m": scale_m, "bias_m": bias_m, "bytes": bytes, "seconds": seconds,
+                "size_m": size_m, "up": up.name(), "scale_m": scale_m,
+                "bias_m": bias_m, "bytes": bytes, "seconds": seconds,
                 "notes": maps::as_json(notes),
             });
             if let Some(Certificate { error_m, uv, mean_m, seams_m, judge }) = certificate {
@@ -299,12 +300,12 @@ impl MeshReport<'_> {
 
 /// Advice on folds.
 const FOLDED: &str = "the relief folds over where the mesh curves too much for the displacement, and shows \
-    its back there: give a smaller --scale, another --bias, or a rounder mesh; `relief inspect MESH` says how \
-    far a mesh can be displaced before it folds";
+    its back there: give a smaller --scale, another --bias, or a rounder mesh; `relief inspect MESH` says \
+    how far a mesh can be displaced before it folds";
 
 /// Advice on folds of an underside.
-const FOLDED_BELOW: &str = "the underside folds over where the mesh curves more than the solid is thick: give \
-    a smaller --solid or --scale, or another --bias";
+const FOLDED_BELOW: &str = "the underside folds over where the mesh curves more than the solid is thick: \
+    give a smaller --solid or --scale, or another --bias";
 
 fn folds_in_words(folds: &Folds, of: usize) -> String {
     let Folds { triangles, base_triangles, first, .. } = folds;

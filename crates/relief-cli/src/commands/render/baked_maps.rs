@@ -93,7 +93,8 @@ pub fn as_json(account: &Account) -> Value {
         Origin::Memory => "memory",
     };
     json!({
-        "kind": account.kind, "texture": account.texture, "from": from, "seconds": account.elapsed.as_secs_f64(),
+        "kind": account.kind, "texture": account.texture,
+        "from": from, "seconds": account.elapsed.as_secs_f64(),
         "file": account.file.as_ref().map(|file| file.display().to_string()), "note": note(account),
     })
 }

@@ -109,17 +109,17 @@ impl Sequence<'_> {
             if !of_flags.is_pattern(path) {
                 let path = path.display();
                 return Err(Failure::Usage(format!(
-                    "{flag} {path}: all frames would have this name: give it a placeholder for their numbers, \
-                     as in out_%04d.png"
+                    "{flag} {path}: all frames would have this name: give it a placeholder for their \
+                     numbers, as in out_%04d.png"
                 )));
             }
         }
         self.numbering.spec(self.spec, frames.first())?;
         if !self.numbering.has_frames(self.spec) {
             return Err(Failure::usage(
-                "--frames: no file of the scene differs from frame to frame: put a placeholder for the number \
-                 into the name of a file, as in --height height_%04d.png or the key \
-                 object = \"walk/%04d/object.toml\"",
+                "--frames: no file of the scene differs from frame to frame: put a placeholder for the \
+                 number into the name of a file, as in --height height_%04d.png or the key object = \
+                 \"walk/%04d/object.toml\"",
             ));
         }
         let in_files_of_meshes = self.numbering.has_frames_of_meshes(self.spec);

@@ -142,8 +142,8 @@ impl Picture<'_> {
                 let [extinction, scale_m] = [f64::from(search.params[0]), scale_m].map(values::six_digits);
                 writeln!(
                     out,
-                    "extinction {extinction} per metre: 8 over the scale of {scale_m} m; --extinction N gives \
-                     another"
+                    "extinction {extinction} per metre: 8 over the scale of {scale_m} m; --extinction N \
+                     gives another"
                 )?;
             }
         }

@@ -48,7 +48,8 @@ pub(super) fn make(arguments: &Arguments, cancel: &AtomicBool) -> Result<Made, F
     let name = arguments.input.display();
     if made.open_edges > 0 {
         notes.push(format!(
-            "{name}: the mesh is not closed: {} of its edges are open. What lies below an odd number of faces is solid",
+            "{name}: the mesh is not closed: {} of its edges are open. What lies below an odd number of \
+             faces is solid",
             made.open_edges
         ));
     } else if made.turned_edges > 0 {

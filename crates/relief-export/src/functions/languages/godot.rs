@@ -156,7 +156,8 @@ fn settings(uniforms: &Uniforms) -> String {
     let gathered = of("relief_settings");
     declared
         + &format!(
-            "// The settings of this material.\n{structure} {gathered}() {{\n    return {structure}({});\n}}\n",
+            "// The settings of this material.\n{structure} {gathered}() {{\n    return {structure}({});\n\
+             }}\n",
             members.join(", ")
         )
 }

@@ -157,7 +157,8 @@ fn entry_point(selection: &Selection, reduced: &Reduced, prefix: &Prefix, name: 
         };
     }
     format!(
-        "@fragment\nfn {name}(@location(0) position: vec3f, @location(1) uv: vec2f) -> @location(0) vec4f {{\n\
+        "@fragment\n\
+         fn {name}(@location(0) position: vec3f, @location(1) uv: vec2f) -> @location(0) vec4f {{\n\
          {body}    return vec4f(sum, 1.0);\n}}\n"
     )
 }

@@ -135,12 +135,14 @@ pub fn enclosed(text: &str, macros: &str, structure: &str) -> String {
     let textures: String = textures.into_values().collect();
     let macros = if macros.is_empty() { String::new() } else { format!("\n{macros}") };
     format!(
-        "#pragma once\n{macros}{declared}\n// The textures of a relief, and the functions that read them. Give it the \
-         textures, then call the functions.\nstruct {structure}\n{{\n{textures}{methods}}};\n"
+        "#pragma once\n{macros}{declared}\n\
+         // The textures of a relief, and the functions that read them. Give it the textures, then call the \
+         functions.\nstruct {structure}\n{{\n{textures}{methods}}};\n"
     )
 }
 
-/// Declarations with their comments: each ends with a brace that begins a line, or is a line with a semicolon.
+/// Declarations with their comments: each ends with a brace that begins a line, or is a line with a
+/// semicolon.
 fn pieces(text: &str) -> Vec<Vec<&str>> {
     let mut pieces = Vec::new();
     let mut piece = Vec::new();

@@ -252,8 +252,8 @@ fn by_places(triangles: impl Iterator<Item = [u32; 3]>, places: Vec<Option<usize
     turned.collect()
 }
 
-/// Agreement of the points of all closed bases with the mesher in 64 bits: the least part of a picture's points,
-/// and the number of pictures in which all agree.
+/// Agreement of the points of all closed bases with the mesher in 64 bits: the least part of a picture's
+/// points, and the number of pictures in which all agree.
 fn beside_mesher(set: &[(&str, f64)], settings: impl Fn(View) -> MeshSettings) -> (f64, u32) {
     let eyes = [[1.3, 0.9, 1.1], [-0.4, 1.7, 0.3], [0.2, -0.1, 2.3]];
     let (mut least, mut whole) = (1.0f64, 0);

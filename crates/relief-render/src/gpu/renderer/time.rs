@@ -7,7 +7,8 @@ use web_time::Instant;
 
 use super::super::pass_clock::{MAX_PASSES, PassClock};
 use super::super::wait::block_on;
-use super::{GpuError, GpuRenderer, Passes, submit_band};
+use super::passes::{Passes, submit_band};
+use super::{GpuError, GpuRenderer};
 use crate::frame_time::FrameTime;
 use crate::job::Job;
 use crate::samples::samples;

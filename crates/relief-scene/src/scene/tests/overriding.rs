@@ -1,7 +1,7 @@
 //! Descriptions laid over one another, and what they replace.
 
 use super::*;
-use crate::scene::load_surface::SceneContext;
+use crate::scene::surface_selection::SceneContext;
 
 #[test]
 fn surroundings_are_seen_where_they_are_asked_for() {

@@ -1,7 +1,7 @@
 //! The proportions of planes and tiles.
 
 use super::*;
-use crate::scene::load_surface::SceneContext;
+use crate::scene::surface_selection::SceneContext;
 
 /// A map of tents of 45 degrees along both axes, as a file in metres states it.
 fn tents() -> HeightMap {

@@ -76,7 +76,8 @@ fn a_file_that_changed_is_read_again() {
 
 #[test]
 fn all_files_of_a_scene_are_named() {
-    let text = "height = \"a.png\"\nenvironment = \"sky.hdr\"\n[[surfaces]]\nmesh = \"b.obj\"\n[[surfaces]]\ncolor = \"c.png\"\n";
+    let text = "height = \"a.png\"\nenvironment = \"sky.hdr\"\n[[surfaces]]\nmesh = \"b.obj\"\n[[surfaces]]\n\
+                color = \"c.png\"\n";
     let mut scene = parse_scene(text, Path::new("/there/scene.toml")).expect("a scene");
     scene.files_mut().for_each(|file| file.push("x"));
     let named: BTreeSet<&Path> = scene.files().map(PathBuf::as_path).collect();

@@ -1,4 +1,5 @@
-//! Draws the kit's mesh with its material, whose shader says hits as colours, and writes the picture's numbers.
+//! Draws the kit's mesh with its material, whose shader says hits as colours, and
+//! writes the picture's numbers.
 
 mod relief;
 mod relief_functions;
@@ -67,7 +68,12 @@ fn main() -> AppExit {
         Tonemapping::None,
         DebandDither::Disabled,
         RenderTarget::Image(target.clone().into()),
-        Projection::from(PerspectiveProjection { fov: fov.to_radians(), near: 0.01, far: 100.0, ..default() }),
+        Projection::from(PerspectiveProjection {
+            fov: fov.to_radians(),
+            near: 0.01,
+            far: 100.0,
+            ..default()
+        }),
         Transform::from_translation(eye).looking_at(Vec3::ZERO, Vec3::Y),
     ));
     app.insert_resource(Job { target, mesh, frames, file, frame: 0 }).run()

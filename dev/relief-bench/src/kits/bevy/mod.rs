@@ -1,5 +1,5 @@
-//! The kit of Bevy, built with a toolchain of its own. What `relief engine bevy` writes is shown as it is, and
-//! with a shader that says hits as colours.
+//! The kit of Bevy, built with a toolchain of its own. What `relief engine bevy` writes is shown as it is,
+//! and with a shader that says hits as colours.
 
 use std::fs;
 use std::io::BufReader;
@@ -98,7 +98,8 @@ pub(super) fn shown(relief: &Path, job: &Job) -> Result<Shown, String> {
     }
     let digits = format!(
         "    let code = (seen.hit.uv + {BEYOND:?}) * {:?};\n    let whole = floor(code);\n    \
-         let rest = floor((code - whole) * {DIGIT:?});\n    out.color = vec4f(whole.x, rest.x, whole.y, rest.y);\n",
+         let rest = floor((code - whole) * {DIGIT:?});\n    \
+         out.color = vec4f(whole.x, rest.x, whole.y, rest.y);\n",
         DIGIT / (2.0 * BEYOND)
     );
     project.replace("relief_material.wesl", &text.replace(LIGHTING[0], "").replace(LIGHTING[1], &digits))?;

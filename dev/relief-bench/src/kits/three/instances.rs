@@ -1,5 +1,5 @@
-//! One mesh three times, turned and scaled unevenly: as objects, and as an `InstancedMesh`. The renderer draws
-//! one mesh whose vertices are in these places.
+//! One mesh three times, turned and scaled unevenly: as objects, and as an `InstancedMesh`. The renderer
+//! draws one mesh whose vertices are in these places.
 
 use std::path::Path;
 use std::sync::Arc;

@@ -1,5 +1,5 @@
-//! What a scene of three.js does with a relief: other meshes cut it, it casts a shadow on a floor, and one mesh
-//! is in several places.
+//! What a scene of three.js does with a relief: other meshes cut it, it casts a shadow on a floor, and one
+//! mesh is in several places.
 
 use std::fs;
 

@@ -123,8 +123,8 @@ impl<'a> Program<'a> {
         self.text.by_hand.contains(&name)
     }
 
-    /// Whether a function's body does not matter: it takes a mask of the lanes that run, and its result differs
-    /// from lane to lane.
+    /// Whether a function's body does not matter: it takes a mask of the lanes that run, and its result
+    /// differs from lane to lane.
     fn is_apart(&self, variant: &Variant) -> bool {
         self.is_one_by_one(variant) || self.is_by_hand(variant)
     }

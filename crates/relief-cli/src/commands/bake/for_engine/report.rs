@@ -59,7 +59,8 @@ impl EngineJob<'_> {
         let texture = |texture: &EngineTexture| {
             json!({
                 "file": self.material.file_name(texture), "holds": texture.content.name(),
-                "bits": texture.bits, "srgb": texture.is_srgb(), "slot": texture.slot, "import": texture.import,
+                "bits": texture.bits, "srgb": texture.is_srgb(),
+                "slot": texture.slot, "import": texture.import,
             })
         };
         let textures: Vec<Value> = self.textures().into_iter().map(texture).collect();
