@@ -1,31 +1,31 @@
 //! Command-line description of a scene: a scene file and the flags that override it.
 
-use std::collections::BTreeMap;
+mod failure;
+mod spec;
+
+pub use self::failure::{of_scene, of_scene_file};
+
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use relief_core::ByteSize;
-use relief_io::{GreenSign, decode_text};
+use relief_io::GreenSign;
 use relief_scene::background::Background;
 use relief_scene::depth_buffer::Clip;
 use relief_scene::motif::VectorAxes;
 use relief_scene::tone::Tone;
 use relief_scene::{
-    BackendChoice, BaseThickness, LightDirection, LightSpec, Look, MeshChoice, PictureSize, ProjectionChoice,
-    RampChoice, Sampling, SceneError, SceneSpec, SurfaceSpec, ValueError, ValueProblem, View, parse_scene,
-    read_scene,
+    BackendChoice, BaseThickness, LightDirection, LightSpec, Look, PictureSize, ProjectionChoice, RampChoice,
+    Sampling, SceneSpec, View,
 };
 use relief_shaders::METHODS;
 
 use super::maps::HeightArguments;
 use super::material_arguments::MaterialArguments;
-use super::motif::missing_motif;
 use super::placement::PlacementArguments;
 use super::stages::StageArguments;
-use crate::failure::Failure;
 use crate::file_kind::FileKind;
-use crate::streams::{INPUT, is_input};
-use crate::{advice, units, values};
+use crate::{units, values};
 
 /// Flags that choose the backend and the sampling.
 #[derive(Args)]
@@ -329,59 +329,6 @@ fn method_help() -> String {
 }
 
 impl SceneArguments {
-    /// Returns the scene's description: the flags over the scene file.
-    pub fn spec(&self) -> Result<SceneSpec, Failure> {
-        if self.ambient_color.is_some() && self.stages.and_color().1.is_some() {
-            return Err(Failure::usage(
-                "--ambient and --ambient-color both set a colour: give --ambient a name, or leave one out",
-            ));
-        }
-        if let Some(volume) = &self.volume
-            && matches!(FileKind::of(volume)?, FileKind::Mesh | FileKind::HeightMap)
-        {
-            let file = volume.display();
-            return Err(Failure::Usage(format!(
-                "--volume: {file} is no volume: make the volume of a mesh or a height map with `relief \
-                 volume {file} -o NAME.ktx2`, and give that"
-            )));
-        }
-        self.check_motif()?;
-        let Some(path) = &self.scene else { return Ok(self.flags()) };
-        let kind = FileKind::of(path)?;
-        let named = match kind {
-            FileKind::Scene => {
-                let scene = if is_input(path) { scene_of_input(path) } else { read_scene(path) };
-                return Ok(scene.map_err(of_scene)?.overridden_by(self.flags()));
-            }
-            FileKind::Object | FileKind::HeightMap | FileKind::Volume => {
-                [&self.object, &self.height, &self.volume, &self.motif].into_iter().any(Option::is_some)
-            }
-            FileKind::Mesh => self.object.is_some() || self.placement.mesh.is_some(),
-            FileKind::Textures => self.object.is_some() || self.material.names_textures(),
-        };
-        if named {
-            let (flag, file) = (kind.flag(), path.display());
-            let motif = if kind == FileKind::Mesh {
-                format!("; a mesh that repeats on another is given with --motif {file}")
-            } else {
-                String::new()
-            };
-            return Err(Failure::Usage(format!(
-                "{file} is read as {flag}, and another flag names the surface, too: leave one of them \
-                 out{motif}"
-            )));
-        }
-        let mut spec = self.flags();
-        match kind {
-            FileKind::Volume => spec.surface.volume = Some(path.clone()),
-            FileKind::Object => spec.surface.object = Some(FileKind::object_at(path)),
-            FileKind::Textures => spec.surface.textures = Some(path.clone()),
-            FileKind::Mesh => spec.surface.mesh = Some(MeshChoice::File(path.clone())),
-            FileKind::HeightMap | FileKind::Scene => spec.surface.height = Some(path.clone()),
-        }
-        Ok(spec)
-    }
-
     /// Returns the files that may be standard input.
     pub fn files(&mut self) -> Vec<&mut PathBuf> {
         let Self { scene, height, volume, motif, color, ramp, normal, material, environment, .. } = self;
@@ -391,25 +338,6 @@ impl SceneArguments {
             RampChoice::Builtin(_) => None,
         });
         files.chain(ramp).chain(material.files()).collect()
-    }
-
-    /// Refuses what is no motif's file.
-    fn check_motif(&self) -> Result<(), Failure> {
-        let Some(motif) = &self.motif else { return Ok(()) };
-        if let Some(missing) = missing_motif(motif) {
-            return Err(missing);
-        }
-        let file = motif.display();
-        match FileKind::of(motif)? {
-            FileKind::Mesh | FileKind::HeightMap => Ok(()),
-            FileKind::Volume => {
-                Err(Failure::Usage(format!("--motif: {file} is a volume: give it with --volume")))
-            }
-            _ => Err(Failure::Usage(format!(
-                "--motif: {file} is neither a mesh nor a vector displacement map: give a GLB, OBJ, PLY or \
-                 STL file, or an EXR; `relief motif` makes meshes"
-            ))),
-        }
     }
 
     /// Returns the scene file, if the file that is shown is one.
@@ -450,111 +378,4 @@ impl SceneArguments {
     pub fn settings(&self) -> &[(String, f64)] {
         &self.set
     }
-
-    /// Returns the flags as a description that overrides the scene file.
-    fn flags(&self) -> SceneSpec {
-        let (stages, color_of_ambient) = self.stages.and_color();
-        let given = |flag: bool| flag.then_some(true);
-        let surface = SurfaceSpec {
-            height: self.height.clone(),
-            volume: self.volume.clone(),
-            motif: self.motif.clone(),
-            axes: self.axes,
-            object: self.object.clone(),
-            holes: given(self.holes),
-            creases: given(self.creases),
-            color: self.color.clone(),
-            ramp: self.ramp.clone(),
-            walls: given(self.walls),
-            base: self.base,
-            normal: self.normal.clone(),
-            green: self.green,
-            method: self.method.clone(),
-            stages,
-            set: BTreeMap::from_iter(self.set.iter().cloned()),
-            two_sided: given(self.two_sided),
-            ..self.material.surface(self.placement.surface(&self.reading))
-        };
-        let light = self.light.map(|LightDirection(toward)| toward);
-        let directional =
-            light.map(|direction| LightSpec { direction: Some(direction), ..LightSpec::default() });
-        let lights = || directional.into_iter().chain(self.point_light.iter().cloned()).collect();
-        let colour = |colour: [f64; 3]| colour.map(|part| part as f32);
-        SceneSpec {
-            look: self.look,
-            view: self.view,
-            eye: self.eye,
-            target: self.target,
-            projection: self.projection,
-            fov: self.fov,
-            view_height: self.view_height,
-            clip: self.clip,
-            near: self.near,
-            far: self.far,
-            size: self.size,
-            samples: self.samples,
-            exposure: self.exposure,
-            tone: self.tone,
-            light: light.filter(|_| self.point_light.is_empty()),
-            lights: (!self.point_light.is_empty()).then(lights),
-            light_angle: self.light_angle,
-            ambient_color: self.ambient_color.or(color_of_ambient).map(colour),
-            environment: self.environment.clone(),
-            background: self.background,
-            max_memory: self.max_memory,
-            ..SceneSpec::of_surface(surface)
-        }
-    }
-}
-
-/// Reads a scene file that came by standard input. Its paths start at the current folder.
-fn scene_of_input(copy: &Path) -> Result<SceneSpec, SceneError> {
-    let text = std::fs::read(copy).and_then(|bytes| {
-        let no_text = || {
-            std::io::Error::new(std::io::ErrorKind::InvalidData, "it holds no text, so it is no scene file")
-        };
-        decode_text(bytes).ok_or_else(no_text)
-    });
-    let text = text.map_err(|source| SceneError::Io { path: INPUT.into(), source })?;
-    parse_scene(&text, Path::new(INPUT))
-}
-
-/// Turns a scene's error into a failure. A value that cannot be used came from the flags, since a
-/// scene file's values are checked when it is read.
-pub fn of_scene(error: SceneError) -> Failure {
-    match error {
-        SceneError::Value(ValueError { key, problem: ValueProblem::Needs(other), .. }) => {
-            Failure::Usage(format!("--{key}: needs --{other} as well"))
-        }
-        // A flag holds for every surface, so the surface that the error names says nothing.
-        SceneError::Value(ValueError { key, problem, .. }) => {
-            Failure::Usage(format!("--{}: {problem}", blamed(key, &problem)))
-        }
-        SceneError::NoHeightMap(_) => Failure::Usage(advice::with_flag(&error, advice::of_scene(&error))),
-        other => Failure::Work(advice::with_flag(&other, advice::of_scene(&other))),
-    }
-}
-
-/// Returns the flag to blame for a value that cannot be used. Of stages that do not go together
-/// this is the one that was given, not one whose variant follows from a default.
-fn blamed(key: &'static str, problem: &ValueProblem) -> &'static str {
-    let is_given = |key: &&str| {
-        let flag = format!("--{key}");
-        std::env::args_os().any(|word| {
-            let word = word.to_string_lossy();
-            word == flag || word.strip_prefix(&flag).is_some_and(|rest| rest.starts_with('='))
-        })
-    };
-    let ValueProblem::Selection(error) = problem else { return key };
-    if is_given(&key) {
-        return key;
-    }
-    let others = error.keys().into_iter().chain(["method"]);
-    others.into_iter().find(is_given).unwrap_or(key)
-}
-
-/// Turns a scene's error into a failure, for commands that take a scene file and no flags for its
-/// keys.
-pub fn of_scene_file(error: SceneError) -> Failure {
-    Failure::Work(advice::with_key(&error, advice::of_scene(&error)))
 }

@@ -10,7 +10,7 @@ use wgpu::{
 };
 
 use super::draw_call::DrawCall;
-use super::programs::{DEPTH, KEYS};
+use super::pipelines::{DEPTH, KEYS};
 use super::{Gpu, GpuError};
 use crate::job::LightViews;
 

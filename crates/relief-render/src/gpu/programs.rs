@@ -1,51 +1,23 @@
-//! Cache of compiled shaders. Each is assembled for a selection of variants and compiled when it is
-//! first needed.
-
-use std::collections::HashMap;
-use std::hash::Hash;
+//! Programs of a device. Each is assembled for a selection of variants and compiled when it is first
+//! needed.
 
 use relief_shaders::surface::{Proposal, Shown};
 use relief_shaders::wgsl::{Root, Sampling, assemble};
-use relief_shaders::{MapSlot, STAGES, Selection};
-use wgpu::{
-    BindGroupLayout, ColorTargetState, CompareFunction, ComputePipeline, ComputePipelineDescriptor,
-    DepthStencilState, Device, Face, FragmentState, PipelineLayout, PipelineLayoutDescriptor, PrimitiveState,
-    RenderPipeline, RenderPipelineDescriptor, ShaderModule, ShaderModuleDescriptor, ShaderSource,
-    TextureFormat, VertexState,
-};
+use relief_shaders::{MapSlot, Selection};
+use wgpu::{BindGroupLayout, ColorTargetState, ComputePipeline, Device, Face, RenderPipeline, TextureFormat};
 
 use super::layouts::{layout, named, shared};
+use super::pipelines::{
+    DEPTH, DEPTH_AND_COUNT, HIT, KEYS, WHAT, compute, compute_entry, label, module, nearest, pipeline_layout,
+    raster,
+};
+use super::program_cache::{ProgramCache, Variant};
 use super::pyramid::{Builder, NODES, Source};
 use super::stencil::StencilPrograms;
 use super::tessellate::{self, Tessellator};
 use super::textures::Precision;
 use super::{Gpu, GpuError};
 use crate::job::JobSurface;
-
-/// Formats of the targets of the first pass.
-pub const HIT: TextureFormat = TextureFormat::Rgba32Float;
-pub const WHAT: TextureFormat = TextureFormat::Rgba32Sint;
-pub const DEPTH: TextureFormat = TextureFormat::Depth32Float;
-
-/// Format of depths with a stencil buffer, in which images are counted.
-pub const DEPTH_AND_COUNT: TextureFormat = TextureFormat::Depth32FloatStencil8;
-
-/// Format of the shadow maps.
-pub const KEYS: TextureFormat = TextureFormat::R32Float;
-
-/// Key of a compiled shader: sampling and variants.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-struct Variant {
-    sampling: Sampling,
-    /// Number of each stage's variant.
-    numbers: [u32; STAGES.len()],
-}
-
-impl Variant {
-    fn new(selection: &Selection, sampling: Sampling) -> Self {
-        Self { sampling, numbers: selection.choices.map(|choice| choice.number) }
-    }
-}
 
 /// Layouts of the bind groups.
 #[derive(Clone, Debug)]
@@ -174,48 +146,6 @@ pub struct Composer {
     pub begin: ComputePipeline,
     /// Lays what was gathered over the opaque surfaces.
     pub compose: ComputePipeline,
-}
-
-/// Cache of programs by key and by text. Selections that differ only in stages that a program does
-/// not call share it.
-#[derive(Debug)]
-struct ProgramCache<K, T> {
-    by_key: HashMap<K, T>,
-    by_text: Vec<(String, T)>,
-}
-
-impl<K: Hash + Eq, T: Clone> ProgramCache<K, T> {
-    fn new() -> Self {
-        Self { by_key: HashMap::new(), by_text: Vec::new() }
-    }
-
-    /// Returns the program of a key, compiled unless it is cached. A program that the driver
-    /// refused is not cached.
-    async fn get(
-        &mut self,
-        gpu: &Gpu,
-        compiled: &mut u32,
-        key: K,
-        text: impl FnOnce() -> String,
-        compile: impl FnOnce(&str) -> T,
-    ) -> Result<T, GpuError> {
-        if let Some(program) = self.by_key.get(&key) {
-            return Ok(program.clone());
-        }
-        let text = text();
-        let known = self.by_text.iter().find(|(known, _)| *known == text).map(|(_, program)| program.clone());
-        let program = match known {
-            Some(program) => program,
-            None => {
-                let program = gpu.guarded(|| Ok(compile(&text))).await?;
-                *compiled += 1;
-                self.by_text.push((text, program.clone()));
-                program
-            }
-        };
-        self.by_key.insert(key, program.clone());
-        Ok(program)
-    }
 }
 
 impl Programs {
@@ -440,108 +370,4 @@ impl Programs {
         let key = (list, Variant::new(selection, sampling));
         self.lists.get(gpu, &mut self.compiled, key, text, compile).await
     }
-}
-
-fn module(device: &Device, label: &str, text: &str) -> ShaderModule {
-    let source = ShaderSource::Wgsl(text.into());
-    device.create_shader_module(ShaderModuleDescriptor { label: Some(label), source })
-}
-
-fn pipeline_layout(device: &Device, label: &str, groups: &[Option<&BindGroupLayout>]) -> PipelineLayout {
-    device.create_pipeline_layout(&PipelineLayoutDescriptor {
-        label: Some(label),
-        bind_group_layouts: groups,
-        immediate_size: 0,
-    })
-}
-
-/// Returns the label of a root's programs.
-fn label(root: Root) -> &'static str {
-    match root {
-        Root::Functions | Root::TriangleFunctions => "functions",
-        Root::Trace | Root::TraceShells | Root::TraceObjects => "trace",
-        Root::Light | Root::LightShells | Root::LightObjects => "light",
-        Root::Stencil => "stencil",
-        Root::Prepass | Root::PrepassShells | Root::PrepassObjects => "prepass",
-        Root::Draw | Root::DrawDepth | Root::DrawShells | Root::DrawObjects | Root::DrawTranslucent => "draw",
-        Root::Shade => "shade",
-        Root::Gather => "gather",
-        Root::Compose => "compose",
-        Root::Resolve => "resolve",
-        Root::Show => "show",
-        Root::Probe => "probe",
-        Root::Paths => "paths",
-        Root::Pyramid => "pyramid",
-        Root::Tessellate => "tessellate",
-    }
-}
-
-fn compute(device: &Device, text: &str, root: Root, groups: &[&BindGroupLayout]) -> ComputePipeline {
-    let groups: Vec<Option<&BindGroupLayout>> = groups.iter().map(|group| Some(*group)).collect();
-    let module = module(device, label(root), text);
-    compute_entry(device, &module, label(root), root.functions().first().copied(), &groups)
-}
-
-fn compute_entry(
-    device: &Device,
-    module: &ShaderModule,
-    label: &str,
-    entry_point: Option<&str>,
-    groups: &[Option<&BindGroupLayout>],
-) -> ComputePipeline {
-    device.create_compute_pipeline(&ComputePipelineDescriptor {
-        label: Some(label),
-        layout: Some(&pipeline_layout(device, label, groups)),
-        module,
-        entry_point,
-        compilation_options: Default::default(),
-        cache: None,
-    })
-}
-
-/// Returns the depth test in which only strictly nearer hits win. Ties go to the first triangle, as
-/// on the CPU. The shaders write the keys, which grow toward the eye.
-pub(super) fn nearest(format: TextureFormat) -> DepthStencilState {
-    DepthStencilState {
-        format,
-        depth_write_enabled: Some(true),
-        depth_compare: Some(CompareFunction::Greater),
-        stencil: Default::default(),
-        bias: Default::default(),
-    }
-}
-
-pub(super) fn raster(
-    device: &Device,
-    text: &str,
-    root: Root,
-    groups: &[Option<&BindGroupLayout>],
-    cull_mode: Option<Face>,
-    depth_stencil: Option<DepthStencilState>,
-    targets: &[Option<ColorTargetState>],
-) -> RenderPipeline {
-    let label = label(root);
-    let module = module(device, label, text);
-    let [vertex, fragment] = [0, 1].map(|place| root.functions().get(place).copied());
-    device.create_render_pipeline(&RenderPipelineDescriptor {
-        label: Some(label),
-        layout: Some(&pipeline_layout(device, label, groups)),
-        vertex: VertexState {
-            module: &module,
-            entry_point: vertex,
-            compilation_options: Default::default(),
-            buffers: &[],
-        },
-        primitive: PrimitiveState { cull_mode, ..Default::default() },
-        depth_stencil,
-        multisample: Default::default(),
-        fragment: Some(FragmentState {
-            module: &module,
-            entry_point: fragment,
-            compilation_options: Default::default(),
-            targets,
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
 }

@@ -10,7 +10,7 @@ use wgpu::{
     StencilOperation, StencilState, VertexState,
 };
 
-use super::programs::{DEPTH_AND_COUNT, HIT, WHAT};
+use super::pipelines::{DEPTH_AND_COUNT, HIT, WHAT};
 use crate::job::JobSurface;
 
 /// Programs of the passes over a slice.

@@ -7,7 +7,8 @@ use wgpu::{
 };
 
 use super::layouts::{PICTURE, group};
-use super::programs::{DEPTH, DEPTH_AND_COUNT, HIT, Layouts, WHAT};
+use super::pipelines::{DEPTH, DEPTH_AND_COUNT, HIT, WHAT};
+use super::programs::Layouts;
 use super::{Gpu, GpuError};
 use crate::samples::Sample;
 

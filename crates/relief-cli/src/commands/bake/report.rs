@@ -6,7 +6,8 @@ use std::time::Instant;
 
 use serde_json::{Value, json};
 
-use super::{Job, Task, maps};
+use super::job::{Job, Task};
+use crate::commands::maps;
 use crate::failure::Failure;
 use crate::say;
 

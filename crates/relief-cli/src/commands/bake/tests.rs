@@ -6,15 +6,18 @@ mod kinds;
 #[cfg(target_os = "linux")]
 mod memory;
 
-use std::path::Path;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 
 use clap::Parser;
-use relief_bake::Channel;
-use relief_core::Rounding;
+use relief_bake::{Channel, Shape};
+use relief_core::{HeightMap, Rounding};
 use relief_io::{TexelFormat, read_height, read_ktx2, read_metadata, write_png16};
 use serde_json::{Value, json};
 
 use self::kinds::{find, shade};
+use super::storage::{Packing, Storage};
 use super::*;
 
 const WIDTH: u32 = 20;

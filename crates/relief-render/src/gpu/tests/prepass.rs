@@ -19,7 +19,8 @@ use wgpu::{
 use super::software;
 use crate::Renderer;
 use crate::gpu::light_map::Frames;
-use crate::gpu::programs::{DEPTH, Layouts, nearest, raster};
+use crate::gpu::pipelines::{DEPTH, nearest, raster};
+use crate::gpu::programs::Layouts;
 use crate::gpu::resident::{Common, Resident};
 use crate::gpu::targets::Targets;
 use crate::gpu::{Gpu, block_on};

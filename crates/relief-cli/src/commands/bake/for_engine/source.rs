@@ -12,7 +12,8 @@ use relief_io::{
 use relief_scene::engine_material::EngineMaterial;
 use relief_scene::green_remark;
 
-use super::super::{Arguments, metric};
+use super::super::Arguments;
+use super::super::job::metric;
 use crate::advice;
 use crate::commands::maps::{self, By, Note};
 use crate::failure::Failure;
