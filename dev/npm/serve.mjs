@@ -16,17 +16,20 @@ const TYPES = {
 };
 
 /**
- * Serves a folder below a path, as hosts of projects do. Returns the server and the address.
+ * Serves a folder below a path, as hosts of projects do; `more` are texts and bytes by their paths from the
+ * root. Returns the server and the address.
  * @param {string} folder
  * @param {number} [port]
+ * @param {Map<string, string | Buffer>} [more]
  */
-export async function serve(folder, port = 0) {
+export async function serve(folder, port = 0, more = new Map()) {
     const server = createServer(async ({ url }, answer) => {
         const path = decodeURIComponent(new URL(url, "http://localhost").pathname);
         const name = path.startsWith("/relief/") ? path.slice("/relief/".length) || "index.html" : null;
         const isInside = name !== null && !normalize(name).startsWith("..");
-        const bytes = isInside ? await readFile(join(folder, name)).catch(() => null) : null;
-        answer.writeHead(bytes ? 200 : 404, { "Content-Type": TYPES[extname(name ?? "")] ?? "text/plain" });
+        const inFolder = isInside ? await readFile(join(folder, name)).catch(() => null) : null;
+        const bytes = more.get(path) ?? inFolder;
+        answer.writeHead(bytes ? 200 : 404, { "Content-Type": TYPES[extname(name ?? path)] ?? "text/plain" });
         answer.end(bytes ?? "there is no such file");
     });
     await new Promise((done, failed) => {

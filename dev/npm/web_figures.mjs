@@ -16,7 +16,10 @@ import { dropped, orbited, rounded, watch } from "./view/times.mjs";
 
 const { values: options, positionals } = parseArgs({
     allowPositionals: true,
-    options: { browser: { type: "string", default: "/usr/bin/chromium" }, frames: { type: "string", default: "300" } },
+    options: {
+        browser: { type: "string", default: "/usr/bin/chromium" },
+        frames: { type: "string", default: "300" },
+    },
 });
 const [folder, map] = positionals.map((path) => resolve(path));
 if (!map) {
@@ -34,7 +37,8 @@ async function lanes() {
         const viewers = ["1", "4"].map((width) => {
             const files = new SceneFiles();
             files.add("cobbles.png", readFileSync(join(folder, "samples", "cobbles.png")));
-            files.add("scene.toml", Buffer.from(`height = "cobbles.png"\nscale = 0.1\nmethod = "${method}"\n`));
+            const scene = `height = "cobbles.png"\nscale = 0.1\nmethod = "${method}"\n`;
+            files.add("scene.toml", Buffer.from(scene));
             const viewer = files.open("scene.toml", false, width);
             viewer.picture(wish);
             return viewer;
@@ -48,15 +52,16 @@ async function lanes() {
             });
         }
         const [one, four] = least.map(rounded);
-        figures[`module, ${method} at 640x480`] = { "ms, one lane": one, "ms, four lanes": four, ratio: rounded(one / four) };
+        const found = { "ms, one lane": one, "ms, four lanes": four, ratio: rounded(one / four) };
+        figures[`module, ${method} at 640x480`] = found;
     }
 }
 
 class WebSeat extends Seat {
     async rest() {
         const isThere = () => {
-            const canvas = document.querySelector("canvas");
-            return document.getElementById("figures").textContent !== "" && canvas.getAttribute("aria-busy") === "false";
+            const isDrawn = document.getElementById("figures").textContent !== "";
+            return isDrawn && document.querySelector("canvas").getAttribute("aria-busy") === "false";
         };
         // A whole picture follows a coarse one.
         for (let quiet = 0; quiet < 3; quiet += 1) {

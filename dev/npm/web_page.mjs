@@ -198,19 +198,122 @@ const tests = {
         assert.ok((await web.canvas()).bytes.equals(sample.bytes), "it is not undone");
     },
 
+    async figures_are_stills_until_they_are_started(web) {
+        const asked = [];
+        web.page.on("request", (request) => asked.push(new URL(request.url()).pathname));
+        await web.page.goto(new URL("/docs/figures.html", web.page.url()).href);
+        await web.page.waitForFunction(() => document.querySelectorAll("relief-figure").length === 6);
+        await new Promise((done) => setTimeout(done, 300));
+        const heavy = (path) => /\.wasm$|worker|\.toml$/.test(path);
+        assert.deepEqual(asked.filter(heavy), [], "a figure loads something before it is started");
+        const figure = (number) => `relief-figure:nth-of-type(${number})`;
+        const canvas = async (number) => {
+            await web.page.waitForFunction(
+                (figure) => {
+                    const frame = document.querySelector(figure).shadowRoot.querySelector(".frame.live");
+                    return frame?.querySelector("canvas").getAttribute("aria-busy") === "false";
+                },
+                { timeout: 60_000 },
+                figure(number),
+            );
+            await new Promise((done) => setTimeout(done, 600));
+            return web.canvas(figure(number));
+        };
+        for (const number of [1, 3]) await (await web.page.$(`${figure(number)} >>> .start`)).click();
+        const drawn = (text) => {
+            writeFileSync(join(web.here, "figure.toml"), text);
+            execFileSync(relief, ["render", "figure.toml", "-q", "-o", "figure.png"], { cwd: web.here });
+            return decoded(readFileSync(join(web.here, "figure.png")));
+        };
+        for (const number of [1, 3]) {
+            assert.ok((await canvas(number)).bytes.equals(drawn(FIGURE).bytes), `figure ${number}`);
+        }
+        assert.equal(asked.filter((path) => path.endsWith(".wasm")).length, 1, "one download");
+        assert.equal(web.page.workers().length, 1, "one worker");
+        // A control changes its own figure alone.
+        await (await web.page.$(`${figure(1)} >>> select`)).select("cone");
+        await new Promise((done) => setTimeout(done, 500));
+        const cone = drawn(FIGURE.replace("relief", "cone"));
+        assert.ok((await canvas(1)).bytes.equals(cone.bytes), "the method");
+        assert.ok((await canvas(3)).bytes.equals(drawn(FIGURE).bytes), "another figure changed");
+        // Arrows turn it; a figure without a scene says so and keeps its picture.
+        await web.page.keyboard.press("Tab");
+        await (await web.page.$(`${figure(3)} >>> canvas`)).focus();
+        await web.page.keyboard.press("ArrowLeft");
+        await new Promise((done) => setTimeout(done, 500));
+        assert.ok(!(await canvas(3)).bytes.equals(drawn(FIGURE).bytes), "the figure was not turned");
+        await (await web.page.$(`${figure(6)} >>> .start`)).click();
+        const said = await web.page.waitForSelector(`${figure(6)} >>> [role=alert]:not(:empty)`);
+        assert.match(await said.evaluate(({ textContent }) => textContent), /none.toml.*404/);
+        web.wrong = web.wrong.filter((text) => !/404/.test(text));
+        assert.deepEqual(await found(web), []);
+    },
+
+    async a_module_that_does_not_come_is_named(web) {
+        const other = new Web(await web.page.browserContext().newPage(), web.here);
+        await other.page.setRequestInterception(true);
+        other.page.on("request", (request) => {
+            if (request.url().endsWith(".wasm")) request.respond({ status: 503, body: "" });
+            else request.continue();
+        });
+        await other.open(web.page.url());
+        await other.page.waitForSelector("#empty:not([hidden])");
+        assert.match(await other.text("#empty-why"), /cannot be loaded: the server answered 503/);
+        await other.page.close();
+    },
+
     async axe_finds_nothing_grave_and_nothing_can_be_ended(web) {
         assert.deepEqual(await found(web), []);
         assert.equal(await web.page.$eval('[data-do="end"]', ({ hidden }) => hidden), true);
     },
 };
 
+/** The scene of figures: its size is the picture's, so that both can be compared. */
+const FIGURE = `height = "cobbles.png"
+method = "relief"
+scale = 0.2
+size = [200, 150]
+samples = 1
+`;
+
+/** A page of another project, whose policy allows what figures need and no more. */
+function figures() {
+    const policy = "default-src 'none'; img-src 'self'; style-src 'self'; script-src 'self' 'wasm-unsafe-eval'; " +
+        "worker-src 'self'; connect-src 'self' blob:";
+    const names = ["wall", "wall", "wall", "wall", "wall", "none"];
+    const each = names.map((name) => `<relief-figure scene="scenes/${name}.toml" controls="method, search.steps">
+<img src="wall.png" width="200" height="150" alt="Cobbles"></relief-figure>`);
+    return `<!doctype html><html lang="en"><head><title>Figures</title>
+<meta http-equiv="Content-Security-Policy" content="${policy}">
+<script type="module" src="/relief/relief-figure.js"></script></head>
+<body><main><h1>Figures</h1>${each.join("\n")}</main></body></html>`;
+}
+
+/** Checks the types of the page as it is served. */
+function types() {
+    const config = join(mkdtempSync(join(tmpdir(), "relief-types-")), "tsconfig.json");
+    const base = fileURLToPath(new URL("../../crates/relief-cli/page/jsconfig.json", import.meta.url));
+    const lib = ["es2023", "dom", "dom.iterable"];
+    const all = { extends: base, compilerOptions: { lib }, include: [`${folder}/*.js`, `${folder}/*.d.ts`] };
+    writeFileSync(config, JSON.stringify({ ...all, exclude: [`${folder}/relief_web.js`, `${folder}/worker.js`] }));
+    const compiler = fileURLToPath(new URL("node_modules/typescript/bin/tsc", import.meta.url));
+    execFileSync(process.execPath, [compiler, "-p", config, "--noEmit"], { stdio: "inherit" });
+}
+
+types();
 const profile = mkdtempSync(join(tmpdir(), "relief-web-profile-"));
 const browser = await puppeteer.launch({
     executablePath: options.browser,
     userDataDir: profile,
     args: [...FLAGS, ...QUIET],
 });
-const { server, address } = await serve(folder);
+const more = new Map([
+    ["/docs/figures.html", figures()],
+    ["/docs/scenes/wall.toml", FIGURE.replace("cobbles", "../maps/cobbles")],
+    ["/docs/maps/cobbles.png", readFileSync(data("cobbles.png"))],
+    ["/docs/wall.png", readFileSync(data("bricks.png"))],
+]);
+const { server, address } = await serve(folder, 0, more);
 let failed = 0;
 for (const [name, test] of Object.entries(tests)) {
     const here = mkdtempSync(join(tmpdir(), "relief-web-"));

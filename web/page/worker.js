@@ -7,26 +7,38 @@ import init, { SceneFiles } from "./relief_web.js";
 /** Milliseconds between two looks whether the work is to end, and between two words on its progress. */
 const LOOK = 40;
 
-/** @type {import("./relief_web.js").Relief | undefined} */
-let relief;
-/** The requests, one after the other. @type {Promise<unknown>} */
-let before = init({ module_or_path: new URL("relief_web_bg.wasm", import.meta.url) });
+/** The viewers, by their numbers. @type {Map<number, import("./relief_web.js").Relief>} */
+const viewers = new Map();
+/** @type {(begun: Promise<unknown>) => void} */
+let begin;
+/** The requests, one after the other, once the module's code has come. @type {Promise<unknown>} */
+let before = new Promise((done) => (begin = done));
 
 onmessage = ({ data }) => {
-    before = before.then(() => answer(data));
+    if (data.code) begin(init({ module_or_path: data.code }));
+    else before = before.then(() => answer(data), (error) => fail(data.id, error, true));
 };
 
+/**
+ * @param {number} id
+ * @param {unknown} error
+ * @param {boolean} isFault
+ */
+function fail(id, error, isFault) {
+    postMessage({ id, failed: error instanceof Error ? error.message : String(error), isFault });
+}
+
 /** @param {Request} request */
-async function answer({ id, name, args }) {
+async function answer({ id, viewer, name, args }) {
     try {
         const call = calls[name];
         if (!call) throw new Error(`there is no ${name}`);
-        const done = await call(args);
+        const done = await call(args, viewer);
         postMessage({ id, done }, { transfer: sharedOf(done) });
     } catch (error) {
         // After a fault of its own the module must not be used any more.
         const isFault = error instanceof WebAssembly.RuntimeError;
-        postMessage({ id, failed: error instanceof Error ? error.message : String(error), isFault });
+        fail(id, error, isFault);
     }
 }
 
@@ -40,41 +52,56 @@ function sharedOf(done) {
     return bytes.map(({ buffer }) => buffer);
 }
 
-function opened() {
+/** @param {number} viewer */
+function opened(viewer) {
+    const relief = viewers.get(viewer);
     if (!relief) throw new Error("no scene is open");
     return relief;
 }
 
-/** @type {Record<string, (args: any) => unknown>} */
+/** @type {Record<string, (args: any, viewer: number) => unknown>} */
 const calls = {
-    /** @param {{ files: { path: string, file: Blob }[], scene: string, isSample: boolean, needs: string | null }} args */
-    async open({ files, scene, isSample, needs }) {
+    /**
+     * @param {{ files: { path: string, file: Blob }[], scene: string, isSample: boolean, needs: string | null }} args
+     * @param {number} viewer
+     */
+    async open({ files, scene, isSample, needs }, viewer) {
         const all = new SceneFiles();
         for (const { path, file } of files) all.add(path, await bytesOf(file));
-        relief?.free();
-        relief = all.open(scene, isSample);
+        viewers.get(viewer)?.free();
+        viewers.delete(viewer);
+        const relief = all.open(scene, isSample);
+        viewers.set(viewer, relief);
         if (needs !== null) relief.need(needs);
     },
-    state: () => ({ state: JSON.parse(opened().state()), text: opened().text() }),
-    apply: (sent) => JSON.parse(opened().apply(JSON.stringify(sent))),
-    picture({ wish, stop }) {
-        const drawn = opened().picture(JSON.stringify(wish), heard(stop));
+    /** @param {{ scene: string, file: Blob }} args */
+    async named({ scene, file }) {
+        const all = new SceneFiles();
+        all.add(scene, await bytesOf(file));
+        const [paths, text] = [all.named(scene), all.text(scene)];
+        all.free();
+        return { paths, text };
+    },
+    state: (_, viewer) => ({ state: JSON.parse(opened(viewer).state()), text: opened(viewer).text() }),
+    apply: (sent, viewer) => JSON.parse(opened(viewer).apply(JSON.stringify(sent))),
+    picture({ wish, stop }, viewer) {
+        const drawn = opened(viewer).picture(JSON.stringify(wish), heard(stop));
         if (!drawn) return null;
         const pixels = drawn.pixels();
         return { about: JSON.parse(drawn.about), pixels };
     },
-    pixel({ at: [x, y], stop }) {
-        const found = opened().pixel(x, y, heard(stop));
+    pixel({ at: [x, y], stop }, viewer) {
+        const found = opened(viewer).pixel(x, y, heard(stop));
         return found === undefined ? undefined : JSON.parse(found);
     },
-    async give({ group, path, file }) {
-        opened().give(group, path, await bytesOf(file));
+    async give({ group, path, file }, viewer) {
+        opened(viewer).give(group, path, await bytesOf(file));
     },
-    take: ({ group, key }) => JSON.parse(opened().take(group, key ?? undefined)),
-    link: ({ link, begins }) => JSON.parse(opened().open_link(link, begins)),
-    made_link: () => ({ text: opened().link() }),
-    save({ what, view, stop }) {
-        const bytes = opened().save(what, view, heard(stop));
+    take: ({ group, key }, viewer) => JSON.parse(opened(viewer).take(group, key ?? undefined)),
+    link: ({ link, begins }, viewer) => JSON.parse(opened(viewer).open_link(link, begins)),
+    made_link: (_, viewer) => ({ text: opened(viewer).link() }),
+    save({ what, view, stop }, viewer) {
+        const bytes = opened(viewer).save(what, view, heard(stop));
         return { bytes };
     },
 };
@@ -91,12 +118,14 @@ async function bytesOf(file) {
  */
 function heard(stop) {
     let last = performance.now();
+    // Where the page's policy forbids such addresses, work goes on to its end.
+    const canStop = stop !== null && !isTakenBack(stop);
     return (/** @type {string} */ task, /** @type {number} */ part) => {
         const now = performance.now();
         if (now - last < LOOK) return false;
         last = now;
         postMessage({ progress: { task, part } });
-        return stop !== null && isTakenBack(stop);
+        return canStop && isTakenBack(stop);
     };
 }
 

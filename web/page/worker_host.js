@@ -2,9 +2,10 @@
 
 /** @import { Action, Applied, Drawn, Given, Host, Progress, ReadPixel, Saved, State } from "./protocol.d.ts" */
 /** @import { SavedOf, Wish } from "./protocol.d.ts" */
-/** @import { Answer, SceneFile } from "./worker_messages.d.ts" */
+/** @import { SceneFile } from "./worker_messages.d.ts" */
 
-import { Gone, Outdated, Refused, viewsOf } from "./shared.js";
+import { Module } from "./module.js";
+import { Gone, Outdated, viewsOf } from "./shared.js";
 
 /** Actions that move the camera alone: what is being baked serves them, too. */
 const OF_CAMERA = ["orbit", "pan", "zoom", "fit", "frame", "look-at"];
@@ -16,19 +17,17 @@ const FAULT = "The module has met a fault or has run out of memory. It starts ag
 /** The name of the scene that is opened. */
 const SCENE = "scene.toml";
 
-/** @typedef {{ done: (value: any) => void, failed: (error: Error) => void }} Waiting */
-
 /** @implements {Host} */
 export class WorkerHost {
     canEnd = false;
     keeps = false;
     gone = FAULT;
-    /** @type {Worker | null} */ #worker = null;
-    /** @type {Map<number, Waiting>} */ #waiting = new Map();
-    #last = 0;
+    #module;
+    #viewer;
+    /** Number of the worker that holds the scene. */
+    #worker = -1;
     /** Groups of files in links are counted from 1. */
     #group = 1000;
-    /** @type {Progress} */ #progress = { task: "", part: 0 };
     /** @type {{ stop: string, isQuick: boolean } | null} */ #drawing = null;
     /** The files that came in, for a module that starts again. @type {{ group: number, given: Given }[]} */
     #given = [];
@@ -44,9 +43,12 @@ export class WorkerHost {
     /**
      * @param {string} text the scene, as a file
      * @param {Promise<SceneFile[]>} files the files that it names
-     * @param {string | null} link a link to another scene, in place of this one
+     * @param {string | null} [link] a link to another scene, in place of this one
+     * @param {Module} [module] a module that other hosts share
      */
-    constructor(text, files, link) {
+    constructor(text, files, link = null, module = new Module()) {
+        this.#module = module;
+        this.#viewer = module.newViewer();
         this.#text = text;
         this.#files = files;
         this.#start();
@@ -63,15 +65,9 @@ export class WorkerHost {
         this.#link = link;
     }
 
-    /** Starts a module with the scene and all files. */
+    /** Opens the scene with all files, in a worker that starts if there is none. */
     #start() {
-        const worker = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
-        worker.addEventListener("message", ({ data }) => this.#heard(data));
-        worker.addEventListener("error", (event) => {
-            event.preventDefault();
-            this.#lose();
-        });
-        this.#worker = worker;
+        this.#worker = this.#module.start();
         // What is wrong with the scene, the next request says.
         this.#opened = this.#open().catch(() => {});
     }
@@ -102,39 +98,13 @@ export class WorkerHost {
      * @returns {Promise<any>}
      */
     #post(name, args) {
-        if (!this.#worker) return Promise.reject(new Gone());
-        this.#last += 1;
-        const id = this.#last;
-        this.#worker.postMessage({ id, name, args });
-        return new Promise((done, failed) => this.#waiting.set(id, { done, failed }));
-    }
-
-    /** @param {Answer} answer */
-    #heard(answer) {
-        if ("progress" in answer) {
-            this.#progress = answer.progress;
-            return;
-        }
-        const waiting = this.#waiting.get(answer.id);
-        this.#waiting.delete(answer.id);
-        if ("done" in answer) waiting?.done(answer.done);
-        else if (answer.isFault) {
-            waiting?.failed(new Gone());
-            this.#lose();
-        } else waiting?.failed(new Refused(answer.failed));
-    }
-
-    /** Gives up a module that has met a fault. */
-    #lose() {
-        this.#worker?.terminate();
-        this.#worker = null;
-        for (const { failed } of this.#waiting.values()) failed(new Gone());
-        this.#waiting.clear();
+        if (!this.#module.runs(this.#worker)) return Promise.reject(new Gone());
+        return this.#module.post(this.#viewer, name, args);
     }
 
     /** @returns {Promise<State>} */
     async state() {
-        if (!this.#worker) this.#start();
+        if (!this.#module.runs(this.#worker)) this.#start();
         const { state, text } = await this.#ask("state");
         this.#text = text;
         return state;
@@ -154,7 +124,7 @@ export class WorkerHost {
     /** @param {boolean} isOfCamera whether the change moves the camera alone */
     #endWhatIsOld(isOfCamera) {
         if (!this.#drawing) return;
-        const draws = DRAWING.includes(this.#progress.task);
+        const draws = DRAWING.includes(this.#module.progress.task);
         if (draws ? !this.#drawing.isQuick : !isOfCamera) URL.revokeObjectURL(this.#drawing.stop);
     }
 
@@ -189,19 +159,19 @@ export class WorkerHost {
     async #stoppable(isQuick, work) {
         const stop = URL.createObjectURL(new Blob());
         this.#drawing = { stop, isQuick };
-        this.#progress = { task: "rendering", part: 0 };
+        this.#module.progress = { task: "rendering", part: 0 };
         try {
             return await work(stop);
         } finally {
             URL.revokeObjectURL(stop);
             if (this.#drawing?.stop === stop) this.#drawing = null;
-            this.#progress = { task: "", part: 0 };
+            this.#module.progress = { task: "", part: 0 };
         }
     }
 
     /** @returns {Promise<Progress>} */
     progress() {
-        return Promise.resolve(this.#progress);
+        return Promise.resolve(this.#module.progress);
     }
 
     /**

@@ -6,6 +6,8 @@ export type Stop = string | null;
 /** A request: the name of a call, and what it takes. */
 export interface Request {
     id: number;
+    /** Number of the viewer, of which the module holds several. */
+    viewer: number;
     name: string;
     args: unknown;
 }

@@ -9,7 +9,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use js_sys::Function;
 use relief_core::Watch;
-use relief_io::MemoryFiles;
+use relief_io::{Files, MemoryFiles};
+use relief_scene::{SceneSpec, read_scene};
 use relief_viewer::{Asked, NotDrawn, Sent, Viewer};
 use wasm_bindgen::prelude::*;
 
@@ -40,6 +41,24 @@ impl SceneFiles {
         Ok(self.0.insert(path, bytes)?)
     }
 
+    /// Returns the paths of all files and folders that the scene at a path names.
+    ///
+    /// # Errors
+    ///
+    /// When the scene's file cannot be read.
+    pub fn named(&self, scene: &str) -> Result<Vec<String>, JsError> {
+        Ok(self.read(scene)?.files().map(|file| file.to_string_lossy().into_owned()).collect())
+    }
+
+    /// Returns the text of the scene at a path as a scene at the root has it: with these paths.
+    ///
+    /// # Errors
+    ///
+    /// When the scene's file cannot be read.
+    pub fn text(&self, scene: &str) -> Result<String, JsError> {
+        Ok(self.read(scene)?.to_toml())
+    }
+
     /// Opens the scene at a path. The first heights that are given take the places of all maps of a sample. `lanes`
     /// is the SIMD width, 1 or 4; without one it is 4. Both give the same bits.
     ///
@@ -53,6 +72,12 @@ impl SceneFiles {
             None => viewer,
         };
         Ok(Relief { viewer: if is_sample { viewer.with_sample() } else { viewer } })
+    }
+}
+
+impl SceneFiles {
+    fn read(&self, scene: &str) -> Result<SceneSpec, JsError> {
+        Ok(read_scene(Files::Memory(self.0.clone()).source(scene))?)
     }
 }
 

@@ -28,6 +28,7 @@ export class Camera {
     #canvas;
     /** @type {Session} */ #session;
     #failed;
+    #takesWheel;
     /** @type {Map<number, Point>} */ #pointers = new Map();
     /** @type {number | null} */ #drag = null;
     /** @type {Mode} */ #held = "orbit";
@@ -39,8 +40,10 @@ export class Camera {
      * @param {HTMLCanvasElement} canvas
      * @param {Session} session
      * @param {(error: unknown) => void} failed
+     * @param {() => boolean} [takesWheel] whether the wheel zooms; it scrolls the page otherwise
      */
-    constructor(canvas, session, failed) {
+    constructor(canvas, session, failed, takesWheel = () => true) {
+        this.#takesWheel = takesWheel;
         this.#canvas = canvas;
         this.#session = session;
         this.#failed = failed;
@@ -149,6 +152,7 @@ export class Camera {
 
     /** @param {WheelEvent} event */
     #wheel(event) {
+        if (!this.#takesWheel()) return;
         event.preventDefault();
         const pixels = event.deltaY * (LINES[event.deltaMode] ?? 1);
         // A pinch on a touchpad is said to be a turn of the wheel with the control key.

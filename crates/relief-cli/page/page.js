@@ -16,7 +16,8 @@ import { Views } from "./views.js";
 /** @import { Applied, Host, State } from "./protocol.d.ts" */
 
 /**
- * Shows the scene of a host. Returns what shows an error, and what follows a change that the host made by itself.
+ * Shows the scene of a host. Returns what shows an error, and what follows a change
+ * that the host made by itself.
  * @param {Host} host
  */
 export function start(host) {

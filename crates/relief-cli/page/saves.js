@@ -53,7 +53,8 @@ export class Saves {
         const methods = this.#parts.boxes.methods;
         const view = Math.min(this.#view, methods.length - 1);
         const named = this.#saves.map(({ what, label, of_surface, of_view }) => {
-            const of = this.#surfaces > 1 ? ` of surface ${this.#parts.surface()}` : ` ${methods[view] ?? ""}`;
+            const isOne = this.#surfaces === 1;
+            const of = isOne ? ` ${methods[view] ?? ""}` : ` of surface ${this.#parts.surface()}`;
             return { what, of_view, label: of_surface ? label.replace("Method", `Method${of}`) : label };
         });
         const shown = JSON.stringify([methods, view, named]);
@@ -81,7 +82,8 @@ export class Saves {
             const link = await host.link?.();
             history.replaceState(null, "", `#${link}`);
             const isCopied = await copied(location.href);
-            messages.say(isCopied ? "The link is copied" : "The link is the address of this page: copy it there");
+            const elsewhere = "The link is the address of this page: copy it there";
+            messages.say(isCopied ? "The link is copied" : elsewhere);
         } catch (error) {
             messages.error(error);
             session.met(error);

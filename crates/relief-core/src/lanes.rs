@@ -73,10 +73,10 @@ impl Lanes {
 
     /// Runs `op` compiled for vectors of this width, and returns its result.
     ///
-    /// Only code that is inlined into `op` is compiled for the width. Long closures are not
-    /// inlined. Use a type whose `with_simd` is `#[inline(always)]`. A machine that
-    /// lacks the width uses the next smaller one that it has, down to one number at a time. On the web that is one
-    /// number: only shaders have vectors there.
+    /// Only code that is inlined into `op` is compiled for the width. Long closures are not inlined. Use
+    /// a type whose `with_simd` is `#[inline(always)]`. A machine that lacks the width uses the next
+    /// smaller one that it has, down to one number at a time. On the web that is one number: only
+    /// shaders have vectors there.
     #[inline(always)]
     pub fn run<Op: WithSimd>(self, op: Op) -> Op::Output {
         #[cfg(target_arch = "x86_64")]

@@ -88,7 +88,8 @@ const CURVE: [f32; 7] = [15.5, -40.14, 31.96, -6.868, 0.4298, 0.1191, -0.002_32]
 const POWER: f64 = 2.2_f32 as f64;
 
 fn agx(light: [f32; 3]) -> [f32; 3] {
-    // Rounded once: the system's own of 32 bits are others elsewhere, and then a pixel in some hundred thousand is.
+    // Rounded once: the system's own of 32 bits are others elsewhere, and then a pixel in
+    // some hundred thousand is.
     let curve = |light: f32| {
         let stops = log2(f64::from(light.max(1e-10))) as f32;
         let part = ((stops - STOPS[0]) / (STOPS[1] - STOPS[0])).clamp(0.0, 1.0);

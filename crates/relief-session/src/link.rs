@@ -149,7 +149,7 @@ impl Link {
     }
 }
 
-/// The lines of a scene file: those of the scene, and those of each surface.
+/// The lines of a scene file: the scene's own, and each surface's.
 #[derive(Default)]
 struct Lines {
     scene: String,

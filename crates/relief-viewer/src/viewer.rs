@@ -191,7 +191,7 @@ impl Viewer {
         Ok(())
     }
 
-    /// The scene of a link, and the files that have not come yet. Those that have come are put where it wants them.
+    /// The scene of a link, and the files that have not come yet. The others are put where it wants them.
     fn read_link(&mut self, text: &str) -> Result<(SceneSpec, Vec<Wanted>), String> {
         let read = read_link(text, &self.given, self.drawing.files());
         let (spec, mut wanted) = read.map_err(|error| self.said(&error.to_string()))?;

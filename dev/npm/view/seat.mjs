@@ -80,16 +80,17 @@ export class Seat {
         return path;
     }
 
-    /** Width, height and bytes of the canvas. */
-    async canvas() {
-        const { width, height, bytes } = await this.page.evaluate(() => {
-            const canvas = document.querySelector("canvas");
+    /** Width, height and bytes of the canvas; of one in the shadow of a host, if one is named. */
+    async canvas(host = null) {
+        const { width, height, bytes } = await this.page.evaluate((host) => {
+            const root = host === null ? document : document.querySelector(host).shadowRoot;
+            const canvas = root.querySelector("canvas");
             const { width, height } = canvas;
             const { data } = canvas.getContext("2d").getImageData(0, 0, width, height);
             let text = "";
             for (const byte of data) text += String.fromCharCode(byte);
             return { width, height, bytes: btoa(text) };
-        });
+        }, host);
         return { width, height, bytes: Buffer.from(bytes, "base64") };
     }
 

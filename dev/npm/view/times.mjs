@@ -1,5 +1,5 @@
-// Times of a page: to the first picture of a dropped map, and from a movement of the pointer to the picture that
-// shows it.
+// Times of a page: to the first picture of a dropped map, and from a movement of the pointer to
+// the picture that shows it.
 
 import { setTimeout as pause } from "node:timers/promises";
 

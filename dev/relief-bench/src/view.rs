@@ -18,7 +18,8 @@ pub struct Arguments {
     /// The command
     #[arg(long, value_name = "PROGRAM", default_value = "target/release/relief")]
     relief: PathBuf,
-    /// What `cargo xtask web` has written, usually target/web: the page without a server, in place of the program
+    /// What `cargo xtask web` has written, usually target/web: the page without a
+    /// server, in place of the program
     #[arg(long, value_name = "FOLDER")]
     web: Option<PathBuf>,
     /// Movements of the pointer in an orbit

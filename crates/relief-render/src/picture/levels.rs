@@ -1,5 +1,5 @@
-//! The bytes of linear numbers in sRGB, by the numbers where the next byte begins: the curve itself has a power for
-//! each.
+//! The bytes of linear numbers in sRGB, by the numbers where the next byte begins: the curve
+//! itself has a power for each.
 
 use std::sync::OnceLock;
 

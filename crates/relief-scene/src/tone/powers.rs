@@ -1,5 +1,5 @@
-//! Logarithms and powers of two by sums, products and a quotient of 64 bits: the same bits on every system, and in
-//! less time than the system's own, which serve all numbers.
+//! Logarithms and powers of two by sums, products and a quotient of 64 bits: the same bits on every system,
+//! and in less time than the system's own, which serve all numbers.
 
 use std::f64::consts::{LN_2, LOG2_E, SQRT_2};
 
@@ -22,7 +22,8 @@ const EXP: [f64; 13] = {
     all
 };
 
-/// Returns the logarithm to base 2 of a positive number, within 1e-15 of itself or of 1; of 0 a number below -1000.
+/// Returns the logarithm to base 2 of a positive number, within 1e-15 of itself or of 1;
+/// of 0 a number below -1000.
 #[inline(always)]
 pub fn log2(number: f64) -> f64 {
     let bits = number.to_bits();

@@ -97,8 +97,8 @@ operations! {
     abs(a: F) -> F = f32x4_abs(a.0);
     floor(a: F) -> F = f32x4_floor(a.0);
     ceil(a: F) -> F = f32x4_ceil(a.0);
-    // The instruction gives its first operand where both are equal, and where one is a NaN; of a NaN the other is
-    // left.
+    // The instruction gives its first operand where both are equal, and where one is a NaN;
+    // of a NaN the other is left.
     min(a: F, b: F) -> F = sel(ordered(a), F(f32x4_pmin(a.0, b.0)), b).0;
     max(a: F, b: F) -> F = sel(ordered(a), F(f32x4_pmax(a.0, b.0)), b).0;
     // Minimum with a second number that is no NaN.
@@ -114,8 +114,8 @@ operations! {
     sel(m: M, a: F, b: F) -> F = v128_bitselect(a.0, b.0, m.0);
     f_of_i(a: I) -> F = f32x4_convert_i32x4(a.0);
     f_of_u(a: U) -> F = f32x4_convert_u32x4(a.0);
-    // Digits and exponent move to their places in 32 bits; a factor corrects the exponent, of small numbers, too.
-    // Infinity and NaN have the greatest exponent in both.
+    // Digits and exponent move to their places in 32 bits; a factor corrects the exponent, of small numbers,
+    // too. Infinity and NaN have the greatest exponent in both.
     f_of_half(a: U) -> F = {
         let digits = u32x4_shl(v128_and(a.0, u32x4_splat(0x7fff)), 13);
         let near = f32x4_mul(digits, f32x4_splat(5.192_296_858_534_827_6e33));
@@ -134,7 +134,7 @@ operations! {
     min_i(a: I, b: I) -> I = i32x4_min(a.0, b.0);
     max_i(a: I, b: I) -> I = i32x4_max(a.0, b.0);
     shl_i(a: I, by: U) -> I = i_of_u(shifted(u_of_i(a), by, u32::checked_shl)).0;
-    // All digits that come in are those of the sign: 31 shifts all others out.
+    // Digits of the sign come in: 31 shifts all others out.
     shr_i(a: I, by: U) -> I = {
         let (values, by) = (row_i(a), row_u(min_u(by, splat_u(31))));
         load_i(&std::array::from_fn(|lane| values[lane] >> by[lane])).0
