@@ -104,7 +104,7 @@ const tests = {
     lanesGiveTheBitsOfSingleNumbers() {
         const clamped = 'wrap = "clamp"\n';
         const more = ["", 'mesh = "torus"\n', clamped, "tile = [2.5, 1.5]\nsamples = 4\n"];
-        const methods = ["exact", "relief", "cone", "frustum", "occlusion", "interval", "distance", "bump"];
+        const methods = ["exact", "relief", "cone", "frustum", "occlusion", "interval", "sphere-tracing", "bump"];
         for (const [number, method] of methods.entries()) {
             const text = `${SCENE}method = "${method}"\n${more[number % more.length]}`;
             const saved = (lanes) => Buffer.from(opened(text, FILES, lanes).save("aov.exr"));
