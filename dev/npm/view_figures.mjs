@@ -45,6 +45,7 @@ await run("a map of 2048x2048 texels, drop to picture", ["--backend", "cpu"], (s
 const orbit = (seat) => orbited(seat, frames);
 await run("orbit, exact on a plane", ["cobbles.png", "--backend", "cpu"], orbit);
 const torus = ["cobbles.png", "--mesh", "torus", "--tile", "6,2", "--backend", "cpu"];
-await run("orbit, relief on a torus", [...torus, "--method", "relief", "--surface", "quadric-vertical"], orbit);
+const bent = [...torus, "--method", "relief", "--surface", "quadric-vertical"];
+await run("orbit, relief on a torus", bent, orbit);
 await bench.close();
 console.log(JSON.stringify(figures, null, 1));

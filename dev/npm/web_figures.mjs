@@ -84,7 +84,8 @@ async function onThePage() {
         const seat = new WebSeat(page);
         await seat.rest();
         const { shown } = await page.evaluate(() => window.seen);
-        figures[`sample, ${turn}`] = { "first ms": rounded(shown[0].at), "whole ms": rounded(shown.at(-1).at) };
+        const [first, whole] = [shown[0], shown.at(-1)].map(({ at }) => rounded(at));
+        figures[`sample, ${turn}`] = { "first ms": first, "whole ms": whole };
         if (turn === "second visit") {
             figures["a map of 2048x2048 texels, drop to picture"] = await dropped(seat, map);
             figures["orbit of that map, exact"] = await orbited(seat, Number(options.frames));

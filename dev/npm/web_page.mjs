@@ -243,7 +243,10 @@ const tests = {
         await new Promise((done) => setTimeout(done, 500));
         assert.ok(!(await canvas(3)).bytes.equals(drawn(FIGURE).bytes), "the figure was not turned");
         await (await web.page.$(`${figure(6)} >>> .start`)).click();
-        const said = (figure) => document.querySelector(figure).shadowRoot.querySelector("[role=alert]").textContent;
+        const said = (figure) => {
+            const { shadowRoot } = document.querySelector(figure);
+            return shadowRoot.querySelector("[role=alert]").textContent;
+        };
         // Changes in a shadow are seen by looking again alone.
         await web.page.waitForFunction(said, { polling: 100 }, figure(6));
         assert.match(await web.page.evaluate(said, figure(6)), /none.toml.*404/);
@@ -283,10 +286,17 @@ samples = 1
 
 /** A page of another project, whose policy allows what figures need and no more. */
 function figures() {
-    const policy = "default-src 'none'; img-src 'self'; style-src 'self'; script-src 'self' 'wasm-unsafe-eval'; " +
-        "worker-src 'self'; connect-src 'self' blob:";
+    const policy = [
+        "default-src 'none'",
+        "img-src 'self'",
+        "style-src 'self'",
+        "script-src 'self' 'wasm-unsafe-eval'",
+        "worker-src 'self'",
+        "connect-src 'self' blob:",
+    ].join("; ");
     const names = ["wall", "wall", "wall", "wall", "wall", "none"];
-    const each = names.map((name) => `<relief-figure scene="scenes/${name}.toml" controls="method, search.steps">
+    const controls = "method, search.steps";
+    const each = names.map((name) => `<relief-figure scene="scenes/${name}.toml" controls="${controls}">
 <img src="wall.png" width="200" height="150" alt="Cobbles"></relief-figure>`);
     return `<!doctype html><html lang="en"><head><title>Figures</title>
 <meta http-equiv="Content-Security-Policy" content="${policy}">
@@ -300,7 +310,8 @@ function types() {
     const base = fileURLToPath(new URL("../../crates/relief-cli/page/jsconfig.json", import.meta.url));
     const lib = ["es2023", "dom", "dom.iterable"];
     const all = { extends: base, compilerOptions: { lib }, include: [`${folder}/*.js`, `${folder}/*.d.ts`] };
-    writeFileSync(config, JSON.stringify({ ...all, exclude: [`${folder}/relief_web.js`, `${folder}/worker.js`] }));
+    const exclude = ["relief_web.js", "worker.js"].map((name) => `${folder}/${name}`);
+    writeFileSync(config, JSON.stringify({ ...all, exclude }));
     const compiler = fileURLToPath(new URL("node_modules/typescript/bin/tsc", import.meta.url));
     execFileSync(process.execPath, [compiler, "-p", config, "--noEmit"], { stdio: "inherit" });
 }

@@ -1,9 +1,7 @@
 // A figure that has started: its scene is drawn over its picture, with some of the scene's controls below.
 
 /** @import { Control, Drawn, Panel } from "./protocol.d.ts" */
-/** @import { Messages } from "./messages.js" */
 /** @import { SceneFile } from "./worker_messages.d.ts" */
-/** @import { Views } from "./views.js" */
 
 import { Camera } from "./camera.js";
 import { ControlRow } from "./controls.js";
@@ -55,15 +53,15 @@ export async function show(figure, frame) {
                 done();
             },
         };
-        const messages = { during: (/** @type {Promise<any>} */ request) => request };
+        /** @type {{ during: <T>(request: Promise<T>) => Promise<T> }} */
+        const messages = { during: (request) => request };
         const drawable = (/** @type {string | null} */ why) => {
             said.textContent = why ?? "";
             if (why !== null) ended(new Error(why));
         };
         new Picture({
-            ...{ canvas, pane: frame, host, session, drawable, rested: () => {} },
-            views: /** @type {Views} */ (/** @type {unknown} */ (views)),
-            messages: /** @type {Messages} */ (/** @type {unknown} */ (messages)),
+            ...{ canvas, pane: frame, host, session, drawable, views, messages },
+            rested: () => {},
         });
     });
     session.readState();

@@ -14,7 +14,10 @@ export class Module {
     #viewers = 0;
     /** Number of workers that have ended by a fault. */
     #faults = 0;
-    /** The module's code, for this worker and those after a fault. @type {Promise<WebAssembly.Module> | null} */
+    /**
+     * The module's code, for this worker and the next ones.
+     * @type {Promise<WebAssembly.Module> | null}
+     */
     #code = null;
     /** Whether the worker has got the code. @type {Promise<void>} */
     #sent = Promise.resolve();

@@ -1,6 +1,6 @@
 // The module in a worker: it answers the page's requests one after the other.
 
-/** @import { Request, Stop } from "./worker_messages.d.ts" */
+/** @import { Request, SceneFile, Stop } from "./worker_messages.d.ts" */
 
 import init, { SceneFiles } from "./relief_web.js";
 
@@ -62,7 +62,7 @@ function opened(viewer) {
 /** @type {Record<string, (args: any, viewer: number) => unknown>} */
 const calls = {
     /**
-     * @param {{ files: { path: string, file: Blob }[], scene: string, isSample: boolean, needs: string | null }} args
+     * @param {{ files: SceneFile[], scene: string, isSample: boolean, needs: string | null }} args
      * @param {number} viewer
      */
     async open({ files, scene, isSample, needs }, viewer) {

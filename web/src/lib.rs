@@ -59,8 +59,8 @@ impl SceneFiles {
         Ok(self.read(scene)?.to_toml())
     }
 
-    /// Opens the scene at a path. The first heights that are given take the places of all maps of a sample. `lanes`
-    /// is the SIMD width, 1 or 4; without one it is 4. Both give the same bits.
+    /// Opens the scene at a path. The first heights that are given take the places of all maps of a sample.
+    /// `lanes` is the SIMD width, 1 or 4; without one it is 4. Both give the same bits.
     ///
     /// # Errors
     ///
@@ -190,7 +190,8 @@ impl Relief {
         self.viewer.link().map_err(|said| JsError::new(&said))
     }
 
-    /// Goes to the scene of a link, and returns what changed: `Applied`. As the beginning it cannot be undone.
+    /// Goes to the scene of a link, and returns what changed: `Applied`. As the beginning it cannot be
+    /// undone.
     ///
     /// # Errors
     ///

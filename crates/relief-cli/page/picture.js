@@ -1,9 +1,7 @@
 // The picture: asks for frames only when something has changed, one at a time.
 
 /** @import { AboutPicture, Drawn, Host, Wish } from "./protocol.d.ts" */
-/** @import { Views } from "./views.js" */
 /** @import { Session } from "./session.js" */
-/** @import { Messages } from "./messages.js" */
 
 import { Gone, Outdated } from "./shared.js";
 
@@ -43,8 +41,8 @@ function clamped(number, least = -Infinity, most = Infinity) {
  * @property {HTMLElement} pane
  * @property {Host} host
  * @property {Session} session
- * @property {Views} views
- * @property {Messages} messages
+ * @property {{ show: (drawn: Drawn) => void }} views
+ * @property {{ during: <T>(request: Promise<T>) => Promise<T> }} messages
  * @property {(about: AboutPicture) => void} rested a picture of a view at rest is shown
  * @property {(why: string | null) => void} drawable says why nothing can be drawn
  */

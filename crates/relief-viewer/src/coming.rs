@@ -169,8 +169,8 @@ impl Maps {
             ref several => {
                 let names: Vec<String> = several.iter().map(|image| name_of(image)).collect();
                 return Err(GivenError::Files(format!(
-                    "{}: the name does not say what it is: end it with _height, _color, _normal or _roughness, \
-                     or drop the file onto a control",
+                    "{}: the name does not say what it is: end it with _height, _color, _normal or \
+                     _roughness, or drop the file onto a control",
                     names.join(", ")
                 )));
             }

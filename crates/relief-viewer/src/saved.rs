@@ -57,7 +57,7 @@ pub enum SaveError {
 impl Saved {
     /// Returns the files that can be saved, as JSON: their names and labels, and whether they are of one
     /// view.
-    pub fn offered() -> Value {
+    pub fn offered() -> Vec<Value> {
         let each = ALL.iter().map(|(what, label, saved)| {
             json!({ "what": what, "label": label, "of_surface": false, "of_view": *saved != Saved::Scene })
         });

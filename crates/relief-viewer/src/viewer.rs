@@ -71,7 +71,7 @@ impl Viewer {
 
     /// Returns what a page shows besides the picture, as JSON.
     pub fn state(&self) -> Value {
-        self.document.state(&self.given, &Saved::offered())
+        self.document.state(&self.given, &Saved::offered().into())
     }
 
     /// Applies an action, and returns what changed, as JSON.
@@ -142,7 +142,8 @@ impl Viewer {
         let name = |path: &Path| path.file_name().map(ToOwned::to_owned);
         match come.iter().find(|file| wanted.iter().any(|wanted| name(&wanted.path) == name(file))) {
             Some(other) => Err(GivenError::Files(format!(
-                "{}: the link means a file of this name with another content: drop it onto a control to use it",
+                "{}: the link means a file of this name with another content: drop it onto a control, to \
+                 use it all the same",
                 other.display()
             ))),
             None => Ok(None),

@@ -60,7 +60,8 @@ export const rounded = (number) => Math.round(10 * number) / 10;
 function waits({ moves, sent, shown }) {
     const each = moves.map((move) => {
         const change = sent.find(({ at }) => at >= move);
-        const picture = change && shown.find(({ at, revision }) => at >= change.at && revision >= change.revision);
+        const shows = ({ at, revision }) => at >= change.at && revision >= change.revision;
+        const picture = change && shown.find(shows);
         return picture && picture.at - move;
     });
     return each.filter((wait) => wait !== undefined).sort((a, b) => a - b);

@@ -160,7 +160,8 @@ export async function a_click_on_the_worst_pixel_waits_for_the_picture(seat) {
 a_click_on_the_worst_pixel_waits_for_the_picture.scene = ERRORS;
 
 export async function each_view_is_saved_and_the_second_is_kept(seat) {
-    const labels = () => seat.page.$$eval("#saves button", (all) => all.map(({ textContent }) => textContent));
+    const texts = (all) => all.map(({ textContent }) => textContent);
+    const labels = () => seat.page.$$eval("#saves button", texts);
     await seat.page.click("summary:has(+ #saves)");
     assert.ok((await labels()).includes("Method relief as functions, WGSL"), `${await labels()}`);
     await seat.page.select("#saved-view", "1");
@@ -192,7 +193,8 @@ export async function what_several_surfaces_cannot_show_is_grey_and_the_other_vi
     await seat.page.select('[data-choice="viewer.second-show"]', "picture");
     await seat.rest();
     await seat.click("#add-surface");
-    assert.match(await seat.page.$eval("#first .failed", ({ textContent }) => textContent), /hide each other/);
+    const failed = await seat.page.$eval("#first .failed", ({ textContent }) => textContent);
+    assert.match(failed, /hide each other/);
     assert.equal(await seat.page.$eval("#empty", ({ hidden }) => hidden), true);
     const refused = await seat.page.$$eval('[data-choice="viewer.second-show"] option', (all) =>
         all.filter(({ disabled }) => disabled).map(({ value }) => value),

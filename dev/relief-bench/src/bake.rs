@@ -137,7 +137,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     );
     println!("Every bake takes fresh memory from the system, as the first one of a program does.");
     println!(
-        "Processor time is that of the bake on one thread; memory is the peak of what is allocated, on two \
+        "Processor time is what a bake takes on one thread; memory is the peak of what is allocated, on two \
          threads."
     );
     for text in left_out {

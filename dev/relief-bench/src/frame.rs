@@ -116,8 +116,8 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         devices.join(" and on ")
     );
     println!(
-        "A second frame shows the scene from elsewhere, and equals to the bit what a new renderer makes of \
-         it.\n\n{table}\n"
+        "A second frame shows the scene from elsewhere, and equals to the bit what a new renderer \
+         draws.\n\n{table}\n"
     );
     println!(
         "Aim: at most {AIM_TIME} of the time, {AIM_UPLOADED} bytes and no program. {}",

@@ -95,7 +95,8 @@ impl SceneSpec {
     pub fn why_not_shown(&self, shown: Shown) -> Option<&'static str> {
         let is_of_hits = matches!(shown, Shown::Error | Shown::Passed);
         (is_of_hits && self.surfaces.len() > 1).then_some(
-            "surfaces of a scene hide each other, so the exact hit of each is not known: show color-error or flip",
+            "surfaces of a scene hide each other, so the exact hit of each is not known: \
+             show color-error or flip",
         )
     }
 

@@ -40,12 +40,12 @@ use crate::streams::Files;
     { \"do\": \"picture\", \"file\": \"turned.png\" },\n    { \"do\": \"undo\" }\n  ]\n\n\
     set gives a key of a scene file a value, and lose takes it away: scale, set.search.steps, \
     surfaces[1].color.\n\
-    orbit turns the eye, turn-light the light, by degrees to the right and up. pan moves the picture by heights \
-    of it to the right and up. zoom has a factor: 2 is twice as large. frame shows all from the present \
-    direction, fit as the view does; look-at brings a point (point, in metres) to the middle. keep-second takes \
-    the method of the second view and closes it. add-surface, remove-surface (number, from 0 on), undo, redo, \
-    reset. picture draws what the scene is then. Actions in a row with the same \"drag\", a whole number, are \
-    undone together."
+    orbit turns the eye, turn-light the light, by degrees to the right and up. pan moves the picture by \
+    heights of it to the right and up. zoom has a factor: 2 is twice as large. frame shows all from the \
+    present direction, fit as the view does; look-at brings a point (point, in metres) to the middle. \
+    keep-second takes the method of the second view and closes it. add-surface, remove-surface (number, from \
+    0 on), undo, redo, reset. picture draws what the scene is then. Actions in a row with the same \"drag\", \
+    a whole number, are undone together."
 )]
 pub struct Arguments {
     /// Script of actions, in JSON: no page is opened

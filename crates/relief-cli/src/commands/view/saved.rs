@@ -7,56 +7,32 @@ use std::process::{Command, Stdio};
 use relief_io::write_atomically;
 use relief_scene::SceneSpec;
 use relief_shaders::{STAGES, Selection};
-use relief_viewer::{Given, of_view};
+use relief_viewer::{Given, Saved, of_view};
 use serde_json::{Value, json};
+use tempfile::TempDir;
 
 use crate::commands::scene::make_absolute;
-
-/// A file to save: its name, and a label.
-struct Saved {
-    what: &'static str,
-    label: &'static str,
-    by: By,
-}
-
-/// What writes a file.
-enum By {
-    /// The scene's own text.
-    Scene,
-    /// `relief render`, into the picture.
-    Picture,
-    /// `relief render --aov`.
-    Aov,
-    /// `relief shader --entry functions`, in a language.
-    Functions(&'static str),
-}
 
 /// Name of the functions' files, before the ending. They are kept under their method's name.
 const FUNCTIONS: &str = "relief";
 
-/// Everything that can be saved.
-const SAVED: [Saved; 10] = [
-    Saved { what: "picture.png", label: "Picture, PNG", by: By::Picture },
-    Saved { what: "picture.jpg", label: "Picture, JPEG", by: By::Picture },
-    Saved { what: "picture.exr", label: "Picture in linear light, EXR", by: By::Picture },
-    Saved { what: "aov.exr", label: "Hits, positions, normals and costs (AOVs), EXR", by: By::Aov },
-    Saved { what: "scene.toml", label: "Scene, TOML", by: By::Scene },
-    Saved { what: "relief.wgsl", label: "Method as functions, WGSL", by: By::Functions("wgsl") },
-    Saved { what: "relief.glsl", label: "Method as functions, GLSL", by: By::Functions("glsl") },
-    Saved { what: "relief.hlsl", label: "Method as functions, HLSL", by: By::Functions("hlsl") },
-    Saved { what: "relief.metal", label: "Method as functions, Metal", by: By::Functions("msl") },
-    Saved { what: "relief.gdshaderinc", label: "Method as functions, Godot", by: By::Functions("godot") },
+/// What the program saves besides what any viewer does: methods as functions. Ending, language as
+/// `relief shader` has it, and label.
+const LANGUAGES: [(&str, &str, &str); 5] = [
+    (".wgsl", "wgsl", "Method as functions, WGSL"),
+    (".glsl", "glsl", "Method as functions, GLSL"),
+    (".hlsl", "hlsl", "Method as functions, HLSL"),
+    (".metal", "msl", "Method as functions, Metal"),
+    (".gdshaderinc", "godot", "Method as functions, Godot"),
 ];
 
 /// What the page offers.
 pub fn offered() -> Value {
-    let told = |Saved { what, label, by }: &Saved| {
-        json!({
-            "what": what, "label": label, "of_surface": matches!(by, By::Functions(_)),
-            "of_view": !matches!(by, By::Scene),
-        })
-    };
-    SAVED.iter().map(told).collect()
+    let functions = LANGUAGES.iter().map(|(ending, _, label)| {
+        let what = format!("{FUNCTIONS}{ending}");
+        json!({ "what": what, "label": label, "of_surface": true, "of_view": true })
+    });
+    Saved::offered().into_iter().chain(functions).collect()
 }
 
 /// What a file is made of: a view, from 0 on, and a surface, where one has a method.
@@ -76,45 +52,57 @@ pub struct Kept {
 ///
 /// `given` are the page's files: in a scene file they are named as the user knows them.
 pub fn saved(spec: &SceneSpec, what: &str, of: Of, given: &Given) -> Result<Kept, String> {
-    let known = SAVED.iter().find(|saved| saved.what == what);
-    let known = known.ok_or_else(|| format!("'{what}' is nothing that can be saved"))?;
-    let whole = |file: &Path| std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
-    if let By::Scene = known.by {
-        return Ok(Kept { name: what.to_owned(), bytes: given.scene_text(spec, whole).into_bytes() });
+    let language = what.strip_prefix(FUNCTIONS).and_then(|ending| {
+        LANGUAGES.iter().find(|(known, ..)| *known == ending).map(|(ending, target, _)| (*ending, *target))
+    });
+    if let Some((ending, target)) = language {
+        return functions(&view(spec, of)?, of.surface, ending, target);
     }
-    let spec = &of_view(spec, of.view).map_err(|error| error.to_string())?;
-    let folder = tempfile::tempdir().map_err(|error| format!("a folder for it cannot be made: {error}"))?;
-    let at = |name: &str| folder.path().join(name);
-    let mut name = what.to_owned();
-    let mut words: Vec<String> = match known.by {
-        By::Scene | By::Picture => vec!["render".into(), "-o".into(), at(what).display().to_string()],
-        By::Aov => {
-            let picture = at("picture.png").display().to_string();
-            vec!["render".into(), "-o".into(), picture, "--aov".into(), at(what).display().to_string()]
+    let mut words = ["render", "-o"].map(str::to_owned).to_vec();
+    let folder = folder()?;
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    match Saved::named(what).map_err(|error| error.to_string())? {
+        Saved::Scene => {
+            let whole = |file: &Path| std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
+            return Ok(Kept { name: what.to_owned(), bytes: given.scene_text(spec, whole).into_bytes() });
         }
-        By::Functions(target) => {
-            let selection = spec.selections().map_err(|error| error.to_string())?;
-            let selection = selection.get(of.surface);
-            let selection = selection.ok_or_else(|| format!("there is no surface {}", of.surface))?;
-            let ending = what.strip_prefix(FUNCTIONS).unwrap_or(what);
-            name = format!("{}{ending}", selection.method_name());
-            let mut words = function_words(selection);
-            words.extend(["--target", target, "-o"].map(str::to_owned));
-            words.extend([folder.path().display().to_string(), "--name".to_owned(), FUNCTIONS.to_owned()]);
-            words
-        }
-    };
-    if matches!(known.by, By::Picture | By::Aov) {
-        let scene = at("scene.toml");
-        let mut spec = spec.clone();
-        make_absolute(&mut spec).map_err(|failure| format!("{failure:?}"))?;
-        let text = spec.to_toml();
-        write_atomically(&scene, |file| file.write_all(text.as_bytes()))
-            .map_err(|error| error.to_string())?;
-        words.insert(1, scene.display().to_string());
+        Saved::Picture(_) => words.push(at(what)),
+        Saved::Aov => words.extend([at("picture.png"), "--aov".to_owned(), at(what)]),
     }
+    let mut spec = view(spec, of)?;
+    make_absolute(&mut spec).map_err(|failure| format!("{failure:?}"))?;
+    let (scene, text) = (folder.path().join("scene.toml"), spec.to_toml());
+    write_atomically(&scene, |file| file.write_all(text.as_bytes())).map_err(|error| error.to_string())?;
+    words.push(scene.display().to_string());
     run(&words)?;
-    let bytes = std::fs::read(at(what)).map_err(|error| format!("{what}: it cannot be read: {error}"))?;
+    kept(what.to_owned(), &folder.path().join(what))
+}
+
+/// Makes the file of a surface's method as functions.
+fn functions(spec: &SceneSpec, surface: usize, ending: &str, target: &str) -> Result<Kept, String> {
+    let selections = spec.selections().map_err(|error| error.to_string())?;
+    let selection = selections.get(surface).ok_or_else(|| format!("there is no surface {surface}"))?;
+    let folder = folder()?;
+    let mut words = function_words(selection);
+    words.extend(["--target", target, "--name", FUNCTIONS, "-o"].map(str::to_owned));
+    words.push(folder.path().display().to_string());
+    run(&words)?;
+    let name = format!("{}{ending}", selection.method_name());
+    kept(name, &folder.path().join(format!("{FUNCTIONS}{ending}")))
+}
+
+/// The scene of a view.
+fn view(spec: &SceneSpec, of: Of) -> Result<SceneSpec, String> {
+    of_view(spec, of.view).map_err(|error| error.to_string())
+}
+
+/// A folder for what is made.
+fn folder() -> Result<TempDir, String> {
+    tempfile::tempdir().map_err(|error| format!("a folder for it cannot be made: {error}"))
+}
+
+fn kept(name: String, file: &Path) -> Result<Kept, String> {
+    let bytes = std::fs::read(file).map_err(|error| format!("{name}: it cannot be read: {error}"))?;
     Ok(Kept { name, bytes })
 }
 

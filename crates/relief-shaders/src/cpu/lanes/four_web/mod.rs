@@ -57,6 +57,8 @@ macro_rules! operations {
     };
 }
 
+#[path = "../by_number.rs"]
+mod by_number;
 mod memory;
 #[path = "../textures.rs"]
 mod textures;
@@ -77,9 +79,8 @@ mod tracing;
 
 pub(super) use memory::Four;
 
-use memory::{
-    gather, gather_cell, gather_four, gather_of_8, gather_of_16, gather_two, load, row_i, store, store_u,
-};
+use by_number::{gather, gather_cell, gather_four, gather_of_8, gather_of_16, gather_two, store, store_u};
+use memory::{load, row_i};
 use rows::{load_i, load_m, load_u, row, row_u, store_i};
 use textures::{
     color_texel, color_texel_of_each, height_cell, height_texel, height_texel_of_each, map_texel,
