@@ -77,6 +77,8 @@ export class Reading {
         this.#resting = true;
         if (this.#isCentred) this.mark([this.#canvas.width >> 1, this.#canvas.height >> 1]);
         this.#isCentred = false;
+        // A pixel may have been asked for before.
+        this.#next();
     }
 
     /** @param {KeyboardEvent} event */

@@ -32,6 +32,8 @@ export class Session {
     /** @type {Waiting[]} */ #waiting = [];
     /** @type {Listener[]} */ #listeners = [];
     #sending = false;
+    /** Number of actions that have been sent. */
+    #sends = 0;
     #gone = false;
     #moving = false;
     /** Revision of the scene that the page knows; null: none. @type {number | null} */
@@ -125,6 +127,7 @@ export class Session {
     /** @param {Waiting} next */
     async #send({ action, drag, done, failed }) {
         this.#sending = true;
+        this.#sends += 1;
         try {
             const applied = await this.#host.apply(action, drag);
             this.took(applied);
@@ -189,8 +192,11 @@ export class Session {
         try {
             while (this.#stateWanted) {
                 this.#stateWanted = false;
+                const [sends, isSending] = [this.#sends, this.#sending];
                 const state = await this.#host.state();
-                const isNews = this.#isNews(state.revision);
+                // An action of this page that is on its way says itself what it has changed.
+                const isOwn = isSending || sends !== this.#sends;
+                const isNews = !isOwn && this.#isNews(state.revision);
                 this.#tell((listener) => listener.undo?.(state.undo));
                 this.#tell((listener) => listener.state?.(state));
                 if (isNews) this.#tell((listener) => listener.changed?.([""]));

@@ -33,6 +33,8 @@ export class Views {
     /** @type {Arranged} */ #arranged = { count: 1, divider: 0.5, swapped: false };
     #divider = byId("divider");
     #held = false;
+    /** Number of values that the scene has not answered yet. */
+    #onTheirWay = 0;
 
     /**
      * @param {HTMLCanvasElement} canvas
@@ -87,10 +89,12 @@ export class Views {
     }
 
     /** @param {State} state */
-    #arrange({ panel }) {
+    #arrange({ panel, revision }) {
         const divider = numberOf(controlOf(panel, "viewer.divider")?.value ?? "0.5") ?? 0.5;
         const swapped = controlOf(panel, "viewer.swapped")?.value === "true";
-        const place = this.#held ? this.#arranged.divider : divider;
+        // A state from before the last move would take it back.
+        const isOld = this.#held || this.#onTheirWay > 0 || revision < this.#session.revision;
+        const place = isOld ? this.#arranged.divider : divider;
         this.#arranged = { ...this.#arranged, divider: place, swapped };
         this.#compose();
     }
@@ -205,10 +209,13 @@ export class Views {
      * @param {number | boolean} value
      */
     async #set(key, value) {
+        this.#onTheirWay += 1;
         try {
             await this.#session.apply({ do: "set", key, value });
         } catch (error) {
             this.#failed(error);
+        } finally {
+            this.#onTheirWay -= 1;
         }
     }
 }

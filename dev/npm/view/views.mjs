@@ -145,13 +145,21 @@ export async function the_divider_gives_way_to_the_worst_pixel(seat) {
 the_divider_gives_way_to_the_worst_pixel.scene = ERRORS;
 
 export async function a_click_on_the_worst_pixel_waits_for_the_picture(seat) {
-    await seat.page.evaluate(() => {
+    // The click comes as soon as the figures are old: the next picture may be there a moment later.
+    const clicked = await seat.page.evaluate(async () => {
+        const box = document.getElementById("first");
+        const old = new Promise((done) => {
+            const observer = new MutationObserver(() => box.classList.contains("old") && done(observer));
+            observer.observe(box, { attributeFilter: ["class"] });
+        });
         const select = document.querySelector('[data-choice="viewer.second"]');
         select.value = "parallax";
         select.dispatchEvent(new Event("change"));
+        (await old).disconnect();
+        document.querySelector("#second .worst").click();
+        return box.classList.contains("old");
     });
-    await seat.page.waitForSelector("#first.old");
-    await seat.page.$eval("#second .worst", (button) => button.click());
+    assert.ok(clicked, "the figures were not old any more");
     await seat.rest();
     assert.equal(await seat.page.$eval("#reading", ({ hidden }) => hidden), false);
     assert.match(await seat.page.$eval("#reading-table", ({ textContent }) => textContent), /parallax/);
