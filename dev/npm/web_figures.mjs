@@ -34,22 +34,23 @@ async function lanes() {
     initSync({ module: readFileSync(join(folder, "relief_web_bg.wasm")) });
     const wish = JSON.stringify({ width: 640, height: 480, part: 1, samples: "one" });
     for (const method of ["exact", "relief", "cone", "occlusion", "parallax-slope"]) {
-        const viewers = ["1", "4"].map((width) => {
+        const viewers = [];
+        for (const width of ["1", "4"]) {
             const files = new SceneFiles();
             files.add("cobbles.png", readFileSync(join(folder, "samples", "cobbles.png")));
             const scene = `height = "cobbles.png"\nscale = 0.1\nmethod = "${method}"\n`;
             files.add("scene.toml", Buffer.from(scene));
             const viewer = files.open("scene.toml", false, width);
-            viewer.picture(wish);
-            return viewer;
-        });
+            await viewer.picture(wish);
+            viewers.push(viewer);
+        }
         const least = [Infinity, Infinity];
         for (let turn = 0; turn < 5; turn += 1) {
-            viewers.forEach((viewer, width) => {
+            for (const [width, viewer] of viewers.entries()) {
                 const begun = performance.now();
-                viewer.picture(wish).pixels();
+                (await viewer.picture(wish)).pixels();
                 least[width] = Math.min(least[width], performance.now() - begun);
-            });
+            }
         }
         const [one, four] = least.map(rounded);
         const found = { "ms, one lane": one, "ms, four lanes": four, ratio: rounded(one / four) };
@@ -86,10 +87,25 @@ async function onThePage() {
         const { shown } = await page.evaluate(() => window.seen);
         const [first, whole] = [shown[0], shown.at(-1)].map(({ at }) => rounded(at));
         figures[`sample, ${turn}`] = { "first ms": first, "whole ms": whole };
-        if (turn === "second visit") {
-            figures["a map of 2048x2048 texels, drop to picture"] = await dropped(seat, map);
-            figures["orbit of that map, exact"] = await orbited(seat, Number(options.frames));
-        }
+        await page.close();
+    }
+    for (const cores of [1, 2]) {
+        const page = await browser.newPage();
+        await page.setViewport({ width: 1280, height: 800 });
+        await page.evaluateOnNewDocument(watch);
+        await page.evaluateOnNewDocument((cores) => {
+            Object.defineProperty(navigator, "hardwareConcurrency", { get: () => cores });
+        }, cores);
+        await page.goto(address);
+        const seat = new WebSeat(page);
+        await seat.rest();
+        const by = `by ${cores} worker${cores > 1 ? "s" : ""}`;
+        figures[`a map of 2048x2048 texels, drop to picture, ${by}`] = await dropped(seat, map);
+        // The others get the map in the background.
+        await new Promise((done) => setTimeout(done, 5000));
+        figures[`orbit of that map, exact, ${by}`] = await orbited(seat, Number(options.frames));
+        const text = await page.$eval("#figures", ({ textContent }) => textContent);
+        figures[`whole picture of that map, ${by}`] = text;
         await page.close();
     }
     await browser.close();

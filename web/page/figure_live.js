@@ -26,15 +26,17 @@ export async function show(figure, frame) {
     const session = new Session(host);
     const alt = figure.querySelector("img")?.alt ?? figure.getAttribute("alt") ?? "Figure";
     const canvas = element("canvas", { tabindex: "0", role: "application", "aria-label": alt });
-    canvas.setAttribute("aria-description", "Arrow keys orbit, plus and minus zoom, Escape leaves.");
+    canvas.setAttribute("aria-description", "Arrow keys orbit, plus and minus zoom, Home goes back, Escape leaves.");
     const said = element("p", { role: "alert" });
     const failed = (/** @type {unknown} */ error) => {
         said.textContent = error instanceof Error ? error.message : String(error);
     };
-    frame.append(canvas);
-    new Camera(canvas, session, failed, () => figure.shadowRoot?.activeElement === canvas);
+    const camera = new Camera(canvas, session, failed, () => figure.shadowRoot?.activeElement === canvas);
+    const back = element("button", { type: "button", class: "back" }, figure.getAttribute("back") ?? "Back");
+    back.addEventListener("click", () => camera.act({ do: "fit" }));
+    frame.append(canvas, back);
     const rows = new Rows(session, failed, (figure.getAttribute("controls") ?? "").split(","));
-    frame.after(rows.node, said);
+    frame.after(rows.node, rows.unknown, said);
     session.listen({
         state: ({ panel }) => rows.show(panel),
         worked: () => (said.textContent = ""),
@@ -67,7 +69,9 @@ export async function show(figure, frame) {
     session.readState();
     await drawn.catch((error) => {
         canvas.remove();
+        back.remove();
         rows.node.remove();
+        rows.unknown.remove();
         said.remove();
         throw error;
     });
@@ -81,6 +85,8 @@ class Rows {
     #names;
     /** @type {Map<string, ControlRow>} */ #rows = new Map();
     node = element("div", { class: "controls" });
+    /** Says which names are none. */
+    unknown = element("p", { role: "alert" });
 
     /**
      * @param {Session} session
@@ -100,9 +106,20 @@ class Rows {
             const found = controls.find(({ key }) => key === name || key === `set.${name}`);
             return found ? [this.#row(found).node] : [];
         });
+        this.#check(new Set(controls.map(({ key }) => key)));
         const isSame = wanted.length === this.node.children.length &&
             wanted.every((node, place) => node === this.node.children[place]);
         if (!isSame) this.node.replaceChildren(...wanted);
+    }
+
+    /**
+     * Says which names are none. Settings, which have a point, come and go with the method.
+     * @param {Set<string>} keys
+     */
+    #check(keys) {
+        const unknown = this.#names.filter((name) => !name.includes(".") && !keys.has(name));
+        const said = unknown.length > 0 ? `A scene has no control named ${unknown.join(", ")}.` : "";
+        if (this.unknown.textContent !== said) this.unknown.textContent = said;
     }
 
     /** @param {Control} control */

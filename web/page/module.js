@@ -24,6 +24,21 @@ export class Module {
     /** What is being done. @type {Progress} */
     progress = { task: "", part: 0 };
 
+    /** @param {Promise<WebAssembly.Module> | null} [code] code that another one has loaded */
+    constructor(code = null) {
+        this.#code = code;
+    }
+
+    /** The module's code, once a worker has started. */
+    get code() {
+        return this.#code;
+    }
+
+    /** Ends the worker. */
+    end() {
+        this.#lose();
+    }
+
     /** A number for a viewer of its own. */
     newViewer() {
         this.#viewers += 1;

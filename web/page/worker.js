@@ -35,6 +35,8 @@ async function answer({ id, viewer, name, args }) {
         if (!call) throw new Error(`there is no ${name}`);
         const done = await call(args, viewer);
         postMessage({ id, done }, { transfer: sharedOf(done) });
+        // The picture is on the page before a GPU is made ready for the next ones.
+        if (name === "picture") opened(viewer).warm();
     } catch (error) {
         // After a fault of its own the module must not be used any more.
         const isFault = error instanceof WebAssembly.RuntimeError;
@@ -83,15 +85,21 @@ const calls = {
         return { paths, text };
     },
     state: (_, viewer) => ({ state: JSON.parse(opened(viewer).state()), text: opened(viewer).text() }),
+    text: (_, viewer) => ({ text: opened(viewer).text() }),
     apply: (sent, viewer) => JSON.parse(opened(viewer).apply(JSON.stringify(sent))),
-    picture({ wish, stop }, viewer) {
-        const drawn = opened(viewer).picture(JSON.stringify(wish), heard(stop));
+    async picture({ wish, stop }, viewer) {
+        const drawn = await opened(viewer).picture(JSON.stringify(wish), heard(stop));
         if (!drawn) return null;
         const pixels = drawn.pixels();
         return { about: JSON.parse(drawn.about), pixels };
     },
-    pixel({ at: [x, y], stop }, viewer) {
-        const found = opened(viewer).pixel(x, y, heard(stop));
+    /** @param {{ text: string, wish: unknown, stop: Stop }} args @param {number} viewer */
+    shared({ text, wish, stop }, viewer) {
+        opened(viewer).show(text);
+        return calls["picture"]?.({ wish, stop }, viewer);
+    },
+    async pixel({ at: [x, y], stop }, viewer) {
+        const found = await opened(viewer).pixel(x, y, heard(stop));
         return found === undefined ? undefined : JSON.parse(found);
     },
     async give({ group, path, file }, viewer) {
@@ -100,8 +108,8 @@ const calls = {
     take: ({ group, key }, viewer) => JSON.parse(opened(viewer).take(group, key ?? undefined)),
     link: ({ link, begins }, viewer) => JSON.parse(opened(viewer).open_link(link, begins)),
     made_link: (_, viewer) => ({ text: opened(viewer).link() }),
-    save({ what, view, stop }, viewer) {
-        const bytes = opened(viewer).save(what, view, heard(stop));
+    async save({ what, view, stop }, viewer) {
+        const bytes = await opened(viewer).save(what, view, heard(stop));
         return { bytes };
     },
 };

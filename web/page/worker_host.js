@@ -2,8 +2,9 @@
 
 /** @import { Action, Applied, Drawn, Given, Host, Progress, ReadPixel, Saved, State } from "./protocol.d.ts" */
 /** @import { SavedOf, Wish } from "./protocol.d.ts" */
-/** @import { SceneFile } from "./worker_messages.d.ts" */
+/** @import { Painted, SceneFile } from "./worker_messages.d.ts" */
 
+import { Crew } from "./crew.js";
 import { Module } from "./module.js";
 import { Gone, Outdated, viewsOf } from "./shared.js";
 
@@ -24,6 +25,7 @@ export class WorkerHost {
     gone = FAULT;
     #module;
     #viewer;
+    /** Workers that draw with this one; none where the module is shared. @type {Crew | null} */ #crew;
     /** Number of the worker that holds the scene. */
     #worker = -1;
     /** Groups of files in links are counted from 1. */
@@ -44,11 +46,12 @@ export class WorkerHost {
      * @param {string} text the scene, as a file
      * @param {Promise<SceneFile[]>} files the files that it names
      * @param {string | null} [link] a link to another scene, in place of this one
-     * @param {Module} [module] a module that other hosts share
+     * @param {Module | null} [shared] a module that other hosts share
      */
-    constructor(text, files, link = null, module = new Module()) {
-        this.#module = module;
-        this.#viewer = module.newViewer();
+    constructor(text, files, link = null, shared = null) {
+        this.#module = shared ?? new Module();
+        this.#viewer = this.#module.newViewer();
+        this.#crew = shared ? null : new Crew(this.#module, () => this.#everything());
         this.#text = text;
         this.#files = files;
         this.#start();
@@ -67,19 +70,25 @@ export class WorkerHost {
 
     /** Opens the scene with all files, in a worker that starts if there is none. */
     #start() {
+        this.#crew?.dismiss();
         this.#worker = this.#module.start();
         // What is wrong with the scene, the next request says.
         this.#opened = this.#open().catch(() => {});
     }
 
     async #open() {
+        await this.#post("open", await this.#everything());
+    }
+
+    /** The scene with all files. */
+    async #everything() {
         const scene = { path: SCENE, file: new Blob([this.#text]) };
         const given = this.#given.map(({ group, given: { path, file } }) => ({
             path: `given/${group}/${path}`,
             file,
         }));
         const files = [scene, ...(await this.#files), ...given];
-        await this.#post("open", { files, scene: SCENE, isSample: true, needs: this.#link });
+        return { files, scene: SCENE, isSample: true, needs: this.#link };
     }
 
     /**
@@ -133,12 +142,27 @@ export class WorkerHost {
      * @returns {Promise<Drawn>}
      */
     async picture(wish) {
-        const drawn = await this.#stoppable(wish.samples === "one", (stop) =>
-            this.#ask("picture", { wish, stop }),
-        );
+        const isQuick = wish.samples === "one";
+        const drawn = await this.#stoppable(isQuick, (stop) => this.#painted(wish, stop));
         if (drawn === null) throw new Outdated("another change ended it");
         const { about, pixels } = drawn;
+        this.#crew?.saw(about, isQuick);
         return { about, views: viewsOf(about, pixels.buffer, 0) };
+    }
+
+    /**
+     * @param {Wish} wish
+     * @param {string} stop
+     * @returns {Promise<Painted | null>}
+     */
+    async #painted(wish, stop) {
+        await this.#opened;
+        if (!this.#crew?.isReady) return this.#post("picture", { wish, stop });
+        const ask = (/** @type {[number, number]} */ rows) => [
+            this.#post("text", {}),
+            this.#post("picture", { wish: { ...wish, rows }, stop }),
+        ];
+        return this.#crew.picture(/** @type {import("./crew.js").Ask} */ (ask), wish, stop);
     }
 
     /**
@@ -191,6 +215,7 @@ export class WorkerHost {
         sent(1);
         const applied = await this.#ask("take", { group, key });
         this.#given.push(...files.map((given) => ({ group, given })));
+        this.#crew?.reopen();
         return applied;
     }
 
@@ -203,6 +228,7 @@ export class WorkerHost {
         this.#endWhatIsOld(false);
         const applied = await this.#ask("link", { link, begins: false });
         this.#link = link;
+        this.#crew?.reopen();
         return applied;
     }
 

@@ -1,5 +1,7 @@
 // Types of what the page and its worker say to each other. Only the type checker reads this file.
 
+import type { AboutPicture } from "./protocol.d.ts";
+
 /** An address that the page takes back when the work is to end; null for work that goes on. */
 export type Stop = string | null;
 
@@ -22,4 +24,19 @@ export type Answer =
 export interface SceneFile {
     path: string;
     file: Blob;
+}
+
+/** What a worker opens. */
+export interface Opened {
+    files: SceneFile[];
+    scene: string;
+    isSample: boolean;
+    /** A link whose files are needed. */
+    needs: string | null;
+}
+
+/** A picture, or some rows of it. */
+export interface Painted {
+    about: AboutPicture;
+    pixels: Uint8Array<ArrayBuffer>;
 }

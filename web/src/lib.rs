@@ -1,5 +1,5 @@
-//! Relief's viewer as a module for the web. It holds the scene and its files, and draws on the CPU, without a
-//! server. A page runs it in a worker, since a picture takes a while.
+//! Relief's viewer as a module for the web. It holds the scene and its files, and draws on the CPU, or on a GPU
+//! by WebGPU, without a server. A page runs it in a worker, since a picture takes a while.
 //!
 //! Texts are the messages of the page of `relief view`, in JSON; its `protocol.d.ts` describes them.
 
@@ -13,6 +13,7 @@ use relief_io::{Files, MemoryFiles};
 use relief_scene::{SceneSpec, read_scene};
 use relief_viewer::{Asked, NotDrawn, Sent, Viewer};
 use wasm_bindgen::prelude::*;
+use wasm_bindgen_futures::spawn_local;
 
 thread_local! {
     /// The function that hears of progress. The module has a single thread.
@@ -132,9 +133,13 @@ impl Relief {
     /// # Errors
     ///
     /// When a file cannot be read, or a value is refused.
-    pub fn picture(&mut self, wish: &str, heard: Option<Function>) -> Result<Option<Picture>, JsError> {
-        let asked = Asked::of_json(wish)?;
-        match watched(heard, |watch| self.viewer.picture(asked, watch)) {
+    pub async fn picture(
+        &mut self,
+        wish: String,
+        heard: Option<Function>,
+    ) -> Result<Option<Picture>, JsError> {
+        let asked = Asked::of_json(&wish)?;
+        match watched(heard, async |watch| self.viewer.picture(asked, watch).await).await {
             Ok(drawn) => {
                 let about = self.viewer.about(&drawn).to_string();
                 Ok(Some(Picture { about, pixels: drawn.into_pixels() }))
@@ -149,8 +154,13 @@ impl Relief {
     /// # Errors
     ///
     /// When the pixels cannot be drawn.
-    pub fn pixel(&mut self, x: u32, y: u32, heard: Option<Function>) -> Result<Option<String>, JsError> {
-        match watched(heard, |watch| self.viewer.pixel([x, y], watch)) {
+    pub async fn pixel(
+        &mut self,
+        x: u32,
+        y: u32,
+        heard: Option<Function>,
+    ) -> Result<Option<String>, JsError> {
+        match watched(heard, async |watch| self.viewer.pixel([x, y], watch).await).await {
             Ok(found) => Ok(Some(found.to_string())),
             Err(NotDrawn::Cancelled(_)) => Ok(None),
             Err(error) => Err(JsError::new(&self.viewer.said_of_picture(&error))),
@@ -215,14 +225,37 @@ impl Relief {
     /// # Errors
     ///
     /// When no file has this name, or the picture cannot be drawn.
-    pub fn save(&mut self, what: &str, view: u32, heard: Option<Function>) -> Result<Vec<u8>, JsError> {
-        watched(heard, |watch| self.viewer.save(what, view as usize, watch))
-            .map_err(|said| JsError::new(&said))
+    pub async fn save(
+        &mut self,
+        what: String,
+        view: u32,
+        heard: Option<Function>,
+    ) -> Result<Vec<u8>, JsError> {
+        let saved = watched(heard, async |watch| self.viewer.save(&what, view as usize, watch).await).await;
+        saved.map_err(|said| JsError::new(&said))
+    }
+
+    /// Shows the scene of another viewer's text, so that several viewers can share a picture: each draws a part of
+    /// the `rows` of a wish.
+    ///
+    /// # Errors
+    ///
+    /// When it is no scene.
+    pub fn show(&mut self, text: &str) -> Result<(), JsError> {
+        self.viewer.show(text).map_err(|said| JsError::new(&said))
+    }
+
+    /// Makes a GPU of the browser ready to take over from the CPU, in the background, if there is one and it
+    /// has not been done. The pictures that follow are drawn by what is faster.
+    pub fn warm(&self) {
+        for warming in self.viewer.warming() {
+            spawn_local(warming.run());
+        }
     }
 }
 
 /// Runs work whose progress a function hears.
-fn watched<T>(heard: Option<Function>, work: impl FnOnce(&Watch) -> T) -> T {
+async fn watched<T>(heard: Option<Function>, work: impl AsyncFnOnce(&Watch<'_>) -> T) -> T {
     HEARD.set(heard);
     let stop = AtomicBool::new(false);
     let tell = |task: &str, part: f32| {
@@ -234,7 +267,7 @@ fn watched<T>(heard: Option<Function>, work: impl FnOnce(&Watch) -> T) -> T {
             stop.store(true, Ordering::Relaxed);
         }
     };
-    let done = work(&Watch::new(&tell, &stop));
+    let done = work(&Watch::new(&tell, &stop)).await;
     HEARD.set(None);
     done
 }

@@ -47,7 +47,7 @@ export function start(host) {
         drawable: (why) => empty.show(why),
     });
     session.listen({
-        state: (state) => (panel.show(state), named(state)),
+        state: (state) => (panel.show(state), named(state), empty.needs(state.needs)),
         worked: () => messages.clear(),
         gone: (gone) => messages.gone(gone),
     });

@@ -54,6 +54,8 @@ export interface State {
     undo: [boolean, boolean];
     panel: Panel;
     saves: Save[];
+    /** Names of files that a link needs and that have not come. */
+    needs: string[];
 }
 
 export interface Applied {
@@ -80,6 +82,8 @@ export interface Wish {
     height: number;
     part: number;
     samples: "one" | "all";
+    /** Part of the rows, from 0, at the top, to 1. */
+    rows?: [number, number];
 }
 
 export interface AboutPicture {
@@ -96,6 +100,8 @@ export interface AboutPicture {
 export interface AboutView {
     show: string;
     failed: string | null;
+    /** The first row that was drawn, and the one behind the last. */
+    rows: [number, number];
     method?: string;
     backend?: string;
     device?: string;

@@ -151,12 +151,25 @@ function closesItself(menu) {
 /** Says that nothing can be drawn, and why; null: the picture is there. */
 export class Empty {
     #wasDrawn = false;
+    /** @type {string[]} */ #needs = [];
+
+    /** @param {string[]} names files that a link needs */
+    needs(names) {
+        this.#needs = names;
+        this.#title();
+    }
+
+    #title() {
+        const files = "Drop a height map, a mesh, a folder of textures or a scene here";
+        const drop = this.#wasDrawn ? "The scene cannot be drawn" : files;
+        const needed = `This link needs ${this.#needs.join(", ")}`;
+        byId("empty-title").textContent = this.#needs.length > 0 ? needed : drop;
+    }
 
     /** @param {string | null} why */
     show(why) {
         if (why === null) this.#wasDrawn = true;
-        const files = "Drop a height map, a mesh, a folder of textures or a scene here";
-        byId("empty-title").textContent = this.#wasDrawn ? "The scene cannot be drawn" : files;
+        this.#title();
         byId("empty-why").textContent = why ?? "";
         byId("empty").hidden = why === null;
         byId("pane").classList.toggle("not-drawn", why !== null);

@@ -22,6 +22,10 @@ export class ViewBoxes {
     /** @type {Box[]} */ #boxes;
     /** @type {string[]} */ #methods = [];
     #hasSecond = false;
+    /** Whether the second view has a method and a number of its own. */
+    #given = [false, false];
+    /** What the first view shows. */
+    #first = "picture";
 
     /**
      * @param {Session} session
@@ -33,8 +37,9 @@ export class ViewBoxes {
         this.#failed = failed;
         this.#worst = worst;
         const set = (/** @type {string} */ key, /** @type {string} */ name) => {
-            if (name === "") this.#act({ do: "lose", key });
-            else this.#act({ do: "set", key, value: written(name) });
+            if (name !== "") this.#act({ do: "set", key, value: written(name) });
+            else if (key === "viewer.show" || this.#given.every((given) => given)) this.#act({ do: "lose", key });
+            else this.#showTwice();
         };
         this.#boxes = [
             new Box("first", ["viewer.show"], set, (pixel) => this.#worst(pixel, 0)),
@@ -68,6 +73,13 @@ export class ViewBoxes {
         for (const key of ["viewer.second", "viewer.second-show"]) this.#act({ do: "lose", key }, drag);
     }
 
+    /** The second view shows the same as the first one, and stays: something else is to be chosen next. */
+    #showTwice() {
+        const drag = newNumber();
+        this.#act({ do: "set", key: "viewer.second-show", value: written(this.#first) }, drag);
+        this.#act({ do: "lose", key: "viewer.second" }, drag);
+    }
+
     /** @param {AboutPicture} about */
     drawn({ views }) {
         this.#methods = views.map(({ method }, number) => method ?? this.#methods[number] ?? "");
@@ -77,7 +89,10 @@ export class ViewBoxes {
     /** @param {State} state */
     #state({ panel }) {
         const given = (/** @type {string} */ key) => controlOf(panel, key)?.value ?? null;
-        this.#hasSecond = given("viewer.second") !== null || given("viewer.second-show") !== null;
+        this.#given = ["viewer.second", "viewer.second-show"].map((key) => given(key) !== null);
+        this.#hasSecond = this.#given.includes(true);
+        const first = controlOf(panel, "viewer.show");
+        this.#first = textOf(first?.value ?? first?.default ?? "picture");
         for (const box of this.#boxes) box.state((key) => controlOf(panel, key));
         byId("second").hidden = !this.#hasSecond;
         if (!this.#hasSecond) this.#methods.splice(1);

@@ -18,8 +18,9 @@ use crate::file::CacheEntry;
 /// Default memory limit for maps of earlier calls: 1 GiB.
 const DEFAULT_MEMORY: ByteSize = ByteSize(1 << 30);
 
-/// Provides the baked maps that methods read: from memory, from the cache folder, or freshly baked.
-#[derive(Debug)]
+/// Provides the baked maps that methods read: from memory, from the cache folder, or freshly baked. Clones share
+/// the maps that are there.
+#[derive(Clone, Debug)]
 pub struct Maps {
     cache: Option<Cache>,
     format: MapFormat,

@@ -36,12 +36,14 @@ mod samples;
 mod shellcast;
 #[cfg(test)]
 mod tests;
+mod wait;
 mod wire;
 
 pub use error::RenderError;
 pub use frame_time::{FrameTime, PassTimes};
 pub use prepare::GeometryError;
 pub use renderer::{Bands, RENDERING, Reason, RenderInfo, Rendered, Renderer, render};
+pub use wait::block_on;
 #[cfg(feature = "gpu")]
 pub use wgpu;
 pub use wire::Wire;

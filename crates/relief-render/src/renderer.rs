@@ -1,5 +1,6 @@
 //! Renderer of scenes on the CPU or a GPU.
 
+use std::ops::Range;
 use std::time::Duration;
 
 use relief_core::{Cancelled, Lanes, Watch};
@@ -10,6 +11,7 @@ use relief_shaders::cpu::PixelOut;
 use relief_shaders::wgsl::Sampling;
 use web_time::Instant;
 
+use crate::block_on;
 use crate::cpu::CpuRenderer;
 use crate::error::RenderError;
 use crate::frame_time::FrameTime;
@@ -90,13 +92,23 @@ enum Backend {
 
 impl Renderer {
     /// Creates a renderer for `backend` that reads textures by `sampling`. [`BackendChoice::Auto`]
-    /// takes a hardware GPU if there is one, else the CPU.
+    /// takes a hardware GPU if there is one, else the CPU. It waits for the GPU, which the web does
+    /// not allow: use [`Self::open`] there.
     ///
     /// # Errors
     ///
     /// When a GPU is asked for and there is none, or when the CPU is asked for [`Sampling::Fast`].
     pub fn new(backend: BackendChoice, sampling: Sampling) -> Result<Self, RenderError> {
-        let (backend, reason) = choose(backend, sampling)?;
+        block_on(Self::open(backend, sampling))
+    }
+
+    /// Creates a renderer like [`Self::new`], without blocking the thread.
+    ///
+    /// # Errors
+    ///
+    /// See [`Self::new`].
+    pub async fn open(backend: BackendChoice, sampling: Sampling) -> Result<Self, RenderError> {
+        let (backend, reason) = choose(backend, sampling).await?;
         let no_gpu = reason.is_some();
         if sampling == Sampling::Fast && matches!(backend, Backend::Cpu(_)) {
             return Err(RenderError::FastOnCpu { no_gpu });
@@ -129,17 +141,33 @@ impl Renderer {
 
     /// Renders a scene. The scene's own choice of backend and sampling is ignored: the renderer has
     /// them already. `maps` provides the baked maps that the methods read. The tasks of `watch` are
-    /// the kinds of maps that are baked, then [`RENDERING`], each from 0 to 1.
+    /// the kinds of maps that are baked, then [`RENDERING`], each from 0 to 1. It waits for the GPU,
+    /// which the web does not allow: use [`Self::render_async`] there.
     ///
     /// # Errors
     ///
     /// When a baked map cannot be provided, the backend fails, or the work is cancelled.
     pub fn render(&mut self, scene: &Scene, maps: &mut Maps, watch: &Watch) -> Result<Rendered, RenderError> {
+        block_on(self.render_async(scene, maps, watch))
+    }
+
+    /// Renders a scene like [`Self::render`]. Where the GPU works, the thread goes on; the CPU's work
+    /// is done on this thread, without a pause.
+    ///
+    /// # Errors
+    ///
+    /// See [`Self::render`].
+    pub async fn render_async(
+        &mut self,
+        scene: &Scene,
+        maps: &mut Maps,
+        watch: &Watch<'_>,
+    ) -> Result<Rendered, RenderError> {
         let (job, accounts, started) = self.prepare(scene, maps, watch)?;
         let watch = watch.task(RENDERING);
         let rendering = match &mut self.backend {
             #[cfg(feature = "gpu")]
-            Backend::Gpu(renderer, sampling) => renderer.render(&job, *sampling, &watch)?,
+            Backend::Gpu(renderer, sampling) => renderer.render_async(&job, *sampling, &watch).await?,
             Backend::Cpu(renderer) => {
                 renderer.render(&job, &watch).map_err(|error| RenderError::of_cpu(error, &job))?
             }
@@ -150,7 +178,8 @@ impl Renderer {
     /// Renders a scene in bands of rows, so that the picture need not fit into memory. `sink` gets
     /// each band when it is done. With `numbers`, pixels are the same as in a [`Rendering`].
     /// Without, only the colour is; the other values come from one of the pixel's samples, which
-    /// takes less time.
+    /// takes less time. It waits for the GPU, which the web does not allow: use
+    /// [`Self::render_bands_async`] there.
     ///
     /// # Errors
     ///
@@ -163,15 +192,51 @@ impl Renderer {
         watch: &Watch,
         sink: &mut Bands,
     ) -> Result<RenderInfo, RenderError> {
+        block_on(self.render_bands_async(scene, maps, numbers, watch, sink))
+    }
+
+    /// Renders a scene like [`Self::render_bands`]. Where the GPU works, the thread goes on; the
+    /// CPU's work is done on this thread, without a pause.
+    ///
+    /// # Errors
+    ///
+    /// See [`Self::render_bands`].
+    pub async fn render_bands_async(
+        &mut self,
+        scene: &Scene,
+        maps: &mut Maps,
+        numbers: bool,
+        watch: &Watch<'_>,
+        sink: &mut Bands<'_>,
+    ) -> Result<RenderInfo, RenderError> {
+        self.render_rows_async(scene, maps, 0..u32::MAX, numbers, watch, sink).await
+    }
+
+    /// Renders some rows of a scene, counted from the top, like [`Self::render_bands_async`]. Several
+    /// renderers can share a picture in this way: on one backend its pixels are the same. Rows below
+    /// the picture do not count.
+    ///
+    /// # Errors
+    ///
+    /// See [`Self::render_bands`].
+    pub async fn render_rows_async(
+        &mut self,
+        scene: &Scene,
+        maps: &mut Maps,
+        rows: Range<u32>,
+        numbers: bool,
+        watch: &Watch<'_>,
+        sink: &mut Bands<'_>,
+    ) -> Result<RenderInfo, RenderError> {
         let (job, accounts, started) = self.prepare(scene, maps, watch)?;
         let watch = watch.task(RENDERING);
         match &mut self.backend {
             #[cfg(feature = "gpu")]
             Backend::Gpu(renderer, sampling) => {
-                renderer.render_bands(&job, *sampling, numbers, &watch, sink)?;
+                renderer.render_rows_async(&job, *sampling, rows, numbers, &watch, sink).await?;
             }
             Backend::Cpu(renderer) => renderer
-                .render_bands(&job, numbers, &watch, sink)
+                .render_rows(&job, rows, numbers, &watch, sink)
                 .map_err(|error| RenderError::of_cpu(error, &job))?,
         }
         Ok(self.info(accounts, started))
@@ -190,7 +255,7 @@ impl Renderer {
             Backend::Gpu(renderer, sampling) => Ok(renderer.time(&job, *sampling)?),
             Backend::Cpu(renderer) => {
                 renderer
-                    .render_bands(&job, false, &watch.task(RENDERING), &mut |_| Ok(()))
+                    .render_rows(&job, 0..job.height, false, &watch.task(RENDERING), &mut |_| Ok(()))
                     .map_err(|error| RenderError::of_cpu(error, &job))?;
                 Ok(FrameTime { elapsed: started.elapsed(), ..FrameTime::default() })
             }
@@ -294,13 +359,16 @@ pub fn render(scene: &Scene, maps: &mut Maps, watch: &Watch) -> Result<Rendered,
 }
 
 #[cfg(feature = "gpu")]
-fn choose(backend: BackendChoice, sampling: Sampling) -> Result<(Backend, Option<Reason>), RenderError> {
+async fn choose(
+    backend: BackendChoice,
+    sampling: Sampling,
+) -> Result<(Backend, Option<Reason>), RenderError> {
     let on_gpu = |gpu| Backend::Gpu(Box::new(GpuRenderer::new(gpu)), sampling);
     let on_cpu = || Backend::Cpu(Box::default());
     match backend {
         BackendChoice::Cpu => Ok((on_cpu(), None)),
-        BackendChoice::Gpu => Ok((on_gpu(Gpu::new(AdapterChoice::Any)?), None)),
-        BackendChoice::Auto => Ok(match Gpu::new(AdapterChoice::Real) {
+        BackendChoice::Gpu => Ok((on_gpu(Gpu::open(AdapterChoice::Any).await?), None)),
+        BackendChoice::Auto => Ok(match Gpu::open(AdapterChoice::Real).await {
             Ok(gpu) => (on_gpu(gpu), Some(Reason::GpuFound)),
             Err(error) => (on_cpu(), Some(why_not(error))),
         }),
@@ -318,7 +386,7 @@ fn why_not(error: GpuError) -> Reason {
 }
 
 #[cfg(not(feature = "gpu"))]
-fn choose(backend: BackendChoice, _: Sampling) -> Result<(Backend, Option<Reason>), RenderError> {
+async fn choose(backend: BackendChoice, _: Sampling) -> Result<(Backend, Option<Reason>), RenderError> {
     let on_cpu = Backend::Cpu(Box::default());
     match backend {
         BackendChoice::Gpu => Err(RenderError::NoGpuBackend),

@@ -24,7 +24,7 @@ pub fn scale<'a>(quantity: &Quantity, painted: impl Iterator<Item = &'a Painted>
 /// The colours of a view: red, green, blue and 255.
 pub fn bytes(painted: &Painted, scale: Option<&Scale>, size: [u32; 2]) -> Vec<u8> {
     let (content, scale) = match (painted, scale) {
-        (Painted::Picture(bytes), _) => return bytes.clone(),
+        (Painted::Picture(bytes, _), _) => return bytes.clone(),
         (Painted::Quantity(..), None) => return Vec::new(),
         (Painted::Quantity(content, _), Some(scale)) => (content, scale),
     };

@@ -78,14 +78,15 @@ impl Document {
         shown(self.session.spec(), self.pane)
     }
 
-    /// Returns what a page shows besides the picture, as JSON. `saves` are the files that can be saved.
+    /// Returns what a page shows besides the picture, as JSON. `saves` are the files that can be saved. It
+    /// `needs` no files: only links do.
     pub fn state(&self, given: &Given, saves: &Value) -> Value {
         let file = self.session.spec().files().next().and_then(|file| file.file_name());
         let name = self.session.name().map(str::to_owned);
         let name = name.or_else(|| file.map(|name| name.to_string_lossy().into_owned()));
         json!({
             "revision": self.revision, "undo": self.session.can_undo(), "panel": self.panel(given),
-            "saves": saves, "name": name,
+            "saves": saves, "name": name, "needs": [],
         })
     }
 

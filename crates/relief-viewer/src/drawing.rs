@@ -3,19 +3,21 @@
 
 use std::collections::BTreeSet;
 
-use relief_core::{ByteSize, Cancelled, Lanes, Watch};
+use relief_core::{ByteSize, Lanes, Watch};
 use relief_io::Files;
 use relief_maps::Maps;
-use relief_render::RenderInfo;
 use relief_render::false_color::{Judge, Quantity, Scale, quantity_of};
+use relief_render::{Bands, RenderInfo};
 use relief_scene::{Scene, SceneError, SceneSpec, Shown, ValueError};
 use relief_session::Seen;
+use relief_shaders::cpu::PixelOut;
 use serde_json::{Value, json};
 use web_time::Instant;
 
 use crate::exact::Exact;
 use crate::pane::{Painted, Pane};
 use crate::pixel::Looked;
+use crate::takeover::{Device, Warming};
 use crate::{Asked, NotDrawn, colors};
 
 /// The views of a scene.
@@ -59,6 +61,7 @@ pub struct Drawing {
     most_memory: ByteSize,
     lanes: Option<Lanes>,
     notes: Notes,
+    device: Device,
     panes: Vec<Pane>,
     /// The last picture of a view at rest.
     looked: Option<Looked>,
@@ -69,13 +72,23 @@ impl Drawing {
     /// `most_memory`, whatever it says itself.
     pub fn new(files: Files, maps: Maps, most_memory: ByteSize) -> Self {
         let notes: Notes = |_, scene| scene.notes().iter().map(ToString::to_string).collect();
-        Self { files, maps, most_memory, lanes: None, notes, panes: vec![Pane::default()], looked: None }
+        let device = Device::default();
+        let panes = vec![Pane::new(&device)];
+        Self { files, maps, most_memory, lanes: None, notes, device, panes, looked: None }
     }
 
     /// Sets the SIMD width of the CPU.
     #[must_use]
     pub fn with_lanes(self, lanes: Lanes) -> Self {
         Self { lanes: Some(lanes), ..self }
+    }
+
+    /// Sets the GPU that may take over from the CPU. Default: the best hardware GPU there is.
+    #[cfg(feature = "gpu")]
+    #[must_use]
+    pub fn with_gpu(self, gpu: relief_render::gpu::Gpu) -> Self {
+        let device = Device::of(gpu);
+        Self { panes: vec![Pane::new(&device)], device, ..self }
     }
 
     /// Sets what is noted about the files of a scene. Default: the notes of their readers.
@@ -94,23 +107,33 @@ impl Drawing {
         &mut self.files
     }
 
-    /// Draws the views of a scene.
+    /// Draws the views of a scene. Where a GPU works, the thread goes on; the CPU's work is done on this
+    /// thread, without a pause.
     ///
     /// # Errors
     ///
     /// When no view can be drawn: a file cannot be read, a value is refused, or the backend fails; and when
     /// `watch` cancels the work.
-    pub fn draw(&mut self, spec: &SceneSpec, asked: Asked, watch: &Watch) -> Result<Drawn, NotDrawn> {
+    pub async fn draw(
+        &mut self,
+        spec: &SceneSpec,
+        asked: Asked,
+        watch: &Watch<'_>,
+    ) -> Result<Drawn, NotDrawn> {
         let started = Instant::now();
         self.looked = None;
         let views = of_views(&shown(spec, asked.pane));
-        self.panes.resize_with(views.len(), Pane::default);
-        let (scenes, notes, seen) = self.scenes(&views, asked)?;
+        let Self { device, panes, .. } = self;
+        panes.resize_with(views.len(), || Pane::new(device));
+        let (scenes, mut notes, seen) = self.scenes(&views, asked)?;
         let exact = self.exact(&views, &scenes, watch)?;
+        // Numbers have one scale, and some errors look at neighbours.
+        let is_shared = views.iter().all(|view| view.quantity.is_none());
+        let asked = if is_shared { asked } else { Asked { rows: [0.0, 1.0], ..asked } };
         let mut made: Vec<Made> = Vec::new();
         for (number, (view, scene)) in views.iter().zip(&scenes).enumerate() {
             let drawn = match scene {
-                Ok(scene) => self.view(number, view, scene, exact.as_ref(), watch),
+                Ok(scene) => self.view(number, view, scene, asked, exact.as_ref(), watch).await,
                 Err(said) => Err(NotDrawn::NoView(said.clone())),
             };
             made.push(match drawn {
@@ -123,6 +146,8 @@ impl Drawing {
         if let Some(Err(said)) = made.first().filter(|_| made.iter().all(Result::is_err)) {
             return Err(NotDrawn::NoView(said.clone()));
         }
+        let fallen = self.panes.iter().filter_map(|pane| pane.fallen_back.as_ref());
+        notes.extend(fallen.map(|why| format!("the CPU draws in place of the GPU: {why}")));
         let exact = exact.and_then(Result::ok);
         let shown = views.iter().zip(&made).zip(&scenes).map(|((view, own), scene)| {
             let scale = view.quantity.map(|quantity| {
@@ -156,16 +181,40 @@ impl Drawing {
         panes[0].load(spec, files, *most_memory)
     }
 
-    /// Renders a scene in bands of rows, as the first view does.
-    pub(crate) fn bands(
+    /// Whether the CPU draws a scene in the first view.
+    pub(crate) fn draws_on_cpu(&self, scene: &Scene) -> bool {
+        self.panes[0].draws_on_cpu(scene)
+    }
+
+    /// Renders a scene on the CPU in bands of rows, as the first view does.
+    pub(crate) fn bands_on_cpu(
         &mut self,
         scene: &Scene,
         numbers: bool,
         watch: &Watch,
-        sink: &mut Band<'_>,
-    ) -> Result<RenderInfo, NotDrawn> {
+        sink: &mut Bands<'_>,
+    ) -> Result<(), NotDrawn> {
         let Self { maps, panes, .. } = self;
-        panes[0].bands(scene, maps, numbers, watch, sink)
+        panes[0].bands_on_cpu(scene, maps, numbers, watch, sink)
+    }
+
+    /// Renders the pixels of a scene, as the first view does.
+    pub(crate) async fn pixels(
+        &mut self,
+        scene: &Scene,
+        numbers: bool,
+        watch: &Watch<'_>,
+    ) -> Result<Vec<PixelOut>, NotDrawn> {
+        let Self { maps, panes, .. } = self;
+        panes[0].pixels(scene, maps, numbers, watch).await
+    }
+
+    /// Returns the work that lets a GPU take over from the CPU in the views of the last picture at rest, for
+    /// the background; none if there is nothing to do. A GPU that is faster draws the next pictures.
+    pub fn warming(&self) -> Vec<Warming> {
+        let scenes = self.looked.iter().flat_map(Looked::scenes);
+        let each = scenes.zip(&self.panes).filter_map(|(scene, pane)| Some((scene?, pane)));
+        each.filter_map(|(scene, pane)| pane.warming(scene, &self.maps)).collect()
     }
 
     /// Loads the scenes of all views; with notes, and with what the first one shows.
@@ -202,22 +251,29 @@ impl Drawing {
     /// # Errors
     ///
     /// See [`Self::draw`].
-    pub fn pixel(&mut self, at: [u32; 2], watch: &Watch) -> Result<Option<Value>, NotDrawn> {
+    pub async fn pixel(&mut self, at: [u32; 2], watch: &Watch<'_>) -> Result<Option<Value>, NotDrawn> {
         let Self { maps, panes, looked, .. } = self;
-        looked.as_mut().map_or(Ok(None), |looked| looked.at(at, panes, maps, watch))
+        match looked {
+            Some(looked) => looked.at(at, panes, maps, watch).await,
+            None => Ok(None),
+        }
     }
 
     /// Draws one view.
-    fn view(
+    async fn view(
         &mut self,
         number: usize,
         view: &OfView,
         scene: &Scene,
+        asked: Asked,
         exact: Option<&Result<Exact, String>>,
-        watch: &Watch,
+        watch: &Watch<'_>,
     ) -> Result<(Painted, RenderInfo), NotDrawn> {
         let Self { maps, panes, .. } = self;
-        let Some(quantity) = view.quantity else { return panes[number].picture(scene, maps, watch) };
+        let Some(quantity) = view.quantity else {
+            let rows = asked.rows_of(scene.size()[1]);
+            return panes[number].picture(scene, rows, maps, watch).await;
+        };
         if let Some(why) = view.spec.why_not_shown(view.shown) {
             return Err(NotDrawn::NotShown(why));
         }
@@ -227,7 +283,7 @@ impl Drawing {
             Some(Err(said)) => return Err(NotDrawn::NoView(said.clone())),
             None => None,
         };
-        panes[number].quantity(scene, quantity, judge, maps, watch)
+        panes[number].quantity(scene, quantity, judge, maps, watch).await
     }
 
     /// The exact picture, if a view is compared with it; or the reason why there is none.
@@ -248,9 +304,6 @@ impl Drawing {
         }
     }
 }
-
-/// Receiver of a band of rows of pixels.
-pub(crate) type Band<'a> = dyn FnMut(&[relief_shaders::cpu::PixelOut]) -> Result<(), Cancelled> + 'a;
 
 /// A view to be drawn.
 struct OfView {
@@ -291,7 +344,10 @@ impl View {
         let show = view.shown.name();
         let (Ok((painted, info)), Some(scene)) = (made, scene) else {
             let said = made.as_ref().err().map_or("", String::as_str);
-            return Self { about: json!({ "show": show, "failed": said }), pixels: Vec::new() };
+            return Self {
+                about: json!({ "show": show, "failed": said, "rows": [0, 0] }),
+                pixels: Vec::new(),
+            };
         };
         let mut methods: Vec<String> =
             scene.surfaces().iter().map(|surface| surface.selection().method_name()).collect();
@@ -301,7 +357,7 @@ impl View {
         let errors = compared.and_then(|(quantity, exact)| colors::errors(quantity, exact, painted, scene));
         let about = json!({
             "show": show, "method": methods.join(", "), "backend": info.backend, "device": info.device,
-            "failed": null, "legend": legend, "errors": errors,
+            "failed": null, "legend": legend, "errors": errors, "rows": painted.rows(scene.size()[1]),
         });
         Self { about, pixels: colors::bytes(painted, scale, scene.size()) }
     }
@@ -323,8 +379,8 @@ impl Drawn {
         })
     }
 
-    /// Returns red, green, blue and 255 of all pixels, row by row from the top: of all views that could be
-    /// drawn, one after the other.
+    /// Returns red, green, blue and 255 of all pixels of the rows that were asked for, from the top: of all views
+    /// that could be drawn, one after the other.
     pub fn into_pixels(self) -> Vec<u8> {
         let mut views = self.views.into_iter().map(|view| view.pixels);
         let mut all = views.next().unwrap_or_default();

@@ -8,15 +8,17 @@
 //! ```
 //! use relief_core::Watch;
 //! use relief_io::MemoryFiles;
+//! use relief_render::block_on;
 //! use relief_viewer::{Asked, Viewer};
 //!
 //! let mut files = MemoryFiles::new();
 //! files.insert("wall.pgm", b"P5 2 2 255\n\x00\x40\x80\xff".as_slice())?;
 //! files.insert("scene.toml", b"height = \"wall.pgm\"".as_slice())?;
 //! let mut viewer = Viewer::open(files, "scene.toml".as_ref())?;
-//! let picture = viewer.picture(Asked::whole([8, 6]), &Watch::none())?;
+//! let picture = block_on(viewer.picture(Asked::whole([8, 6]), &Watch::none()))?;
 //! assert_eq!(picture.into_pixels().len(), 8 * 6 * 4);
-//! assert!(viewer.save("picture.png", 0, &Watch::none())?.starts_with(b"\x89PNG"));
+//! let saved = block_on(viewer.save("picture.png", 0, &Watch::none()))?;
+//! assert!(saved.starts_with(b"\x89PNG"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -35,6 +37,8 @@ mod pane;
 mod pixel;
 mod saved;
 mod scene_files;
+#[cfg_attr(not(feature = "gpu"), path = "no_takeover.rs")]
+mod takeover;
 #[cfg(test)]
 mod tests;
 mod tried;
@@ -48,4 +52,5 @@ pub use given::{Given, GivenError};
 pub use labels::{said_of_scene, with_labels};
 pub use not_drawn::NotDrawn;
 pub use saved::{SaveError, Saved, of_view};
+pub use takeover::Warming;
 pub use viewer::{OpenError, Viewer};

@@ -31,7 +31,7 @@ pub enum NotDrawn {
     #[error("{0}")]
     NotShown(&'static str),
     /// A link needs files that have not come yet.
-    #[error("the link needs {0}: drop it here, or what it lies in")]
+    #[error("drop {0} here, or the folder that holds it; its name does not matter")]
     Wanted(String),
     /// No view could be drawn; says why the first one could not.
     #[error("{0}")]

@@ -35,7 +35,7 @@ impl Looked {
         let view = |(scene, painted, quantity)| {
             let (pixels, content) = match painted {
                 Painted::Quantity(content, pixels) => (Some(pixels), Some(content)),
-                Painted::Picture(_) => (None, None),
+                Painted::Picture(..) => (None, None),
             };
             let numbers = content.and_then(|content| match content {
                 Content::Numbers(numbers) => Some(numbers),
@@ -46,13 +46,18 @@ impl Looked {
         Self { views: views.map(|known| known.map(view)).collect(), exact }
     }
 
+    /// The scene of each view that could be drawn.
+    pub fn scenes(&self) -> impl Iterator<Item = Option<&Scene>> {
+        self.views.iter().map(|view| view.as_ref().map(|view| &view.scene))
+    }
+
     /// What is under a pixel, in each view; none outside of the picture.
-    pub fn at(
+    pub async fn at(
         &mut self,
         [column, row]: [u32; 2],
         panes: &mut [Pane],
         maps: &mut Maps,
-        watch: &Watch,
+        watch: &Watch<'_>,
     ) -> Result<Option<Value>, NotDrawn> {
         let Self { views, exact } = self;
         let mut each = Vec::with_capacity(views.len());
@@ -67,7 +72,7 @@ impl Looked {
             }
             let pixels = match pixels {
                 Some(pixels) => pixels,
-                none => none.insert(pane.pixels(scene, maps, watch)?),
+                none => none.insert(pane.pixels(scene, maps, true, watch).await?),
             };
             let number = column as usize + row as usize * columns as usize;
             let Some(pixel) = pixels.get(number) else { return Ok(None) };

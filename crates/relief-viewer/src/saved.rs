@@ -81,11 +81,11 @@ impl Drawing {
     /// # Errors
     ///
     /// See [`Drawing::draw`]. Also when the format cannot hold the picture.
-    pub fn picture(
+    pub async fn picture(
         &mut self,
         spec: &SceneSpec,
         format: PictureFormat,
-        watch: &Watch,
+        watch: &Watch<'_>,
     ) -> Result<Vec<u8>, SaveError> {
         if format.is_linear() && spec.tone.is_some_and(|tone| tone != Tone::None) {
             return Err(SaveError::Tone);
@@ -105,7 +105,8 @@ impl Drawing {
                     sink(&colours)
                 })
             })
-        })?;
+        })
+        .await?;
         Ok(out.into_inner())
     }
 
@@ -114,7 +115,7 @@ impl Drawing {
     /// # Errors
     ///
     /// See [`Drawing::draw`].
-    pub fn aov(&mut self, spec: &SceneSpec, watch: &Watch) -> Result<Vec<u8>, SaveError> {
+    pub async fn aov(&mut self, spec: &SceneSpec, watch: &Watch<'_>) -> Result<Vec<u8>, SaveError> {
         let scene = self.load(spec).map_err(NotDrawn::from)?;
         let mut out = Cursor::new(Vec::new());
         self.written(&scene, true, watch, |render| {
@@ -129,36 +130,44 @@ impl Drawing {
                     sink(&planes.each_ref().map(Vec::as_slice))
                 })
             })
-        })?;
+        })
+        .await?;
         Ok(out.into_inner())
     }
 
     /// Runs an encoder, which gets a function that renders the rows for it. Of two errors the renderer's is
-    /// the cause.
-    fn written(
+    /// the cause. A GPU renders the whole picture first, since an encoder does not wait.
+    async fn written(
         &mut self,
         scene: &Scene,
         numbers: bool,
-        watch: &Watch,
+        watch: &Watch<'_>,
         encode: impl FnOnce(&mut Render<'_>) -> Result<(), WriteProblem>,
     ) -> Result<(), SaveError> {
+        let whole = match self.draws_on_cpu(scene) {
+            true => None,
+            false => Some(self.pixels(scene, numbers, watch).await?),
+        };
         let mut not_drawn = None;
         let encoded = encode(&mut |sink| {
             let mut failed = None;
             let (width, mut next) = (scene.size()[0].max(1) as usize, 0);
-            let rendered = self.bands(scene, numbers, watch, &mut |band| {
-                let mut lines = band.chunks(width);
-                lines.try_for_each(|line| {
+            let mut rows = |band: &[PixelOut]| {
+                band.chunks(width).try_for_each(|line| {
                     next += 1;
                     sink(next - 1, line).map_err(|error| {
                         failed = Some(error);
                         Cancelled
                     })
                 })
-            });
+            };
+            let rendered = match &whole {
+                Some(pixels) => rows(pixels).map_err(NotDrawn::from),
+                None => self.bands_on_cpu(scene, numbers, watch, &mut rows),
+            };
             match (failed, rendered) {
                 (Some(error), _) => Err(error),
-                (None, Ok(_)) => Ok(()),
+                (None, Ok(())) => Ok(()),
                 (None, Err(error)) => {
                     not_drawn = Some(error);
                     Err(io::ErrorKind::Interrupted.into())

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use relief_core::Watch;
 use relief_io::MemoryFiles;
+use relief_render::block_on;
 use relief_session::Session;
 use serde_json::json;
 
@@ -82,15 +83,18 @@ fn errors_change_nothing() {
         viewer.apply(&set(r#"{"do": "set", "key": "samples", "value": 5000}"#)).expect_err("too many");
     assert!(refused.contains("1024"), "{refused}");
     viewer.apply(&set(r#"{"do": "set", "key": "height", "value": "none.pgm"}"#)).expect("a text");
-    let missing = viewer.picture(Asked::whole([4, 3]), &Watch::none()).expect_err("no file");
+    let missing = block_on(viewer.picture(Asked::whole([4, 3]), &Watch::none())).expect_err("no file");
     assert!(
         matches!(missing, NotDrawn::Scene(_)) && missing.to_string().starts_with("none.pgm: "),
         "{missing}"
     );
     viewer.apply(&set(r#"{"do": "undo"}"#)).expect("undone");
-    assert!(viewer.picture(Asked::whole([4, 3]), &Watch::none()).is_ok());
+    assert!(block_on(viewer.picture(Asked::whole([4, 3]), &Watch::none())).is_ok());
     assert_eq!(viewer.state()["revision"], json!(2));
-    assert!(viewer.save("picture.bmp", 0, &Watch::none()).is_err_and(|said| said.contains("picture.bmp")));
+    assert!(
+        block_on(viewer.save("picture.bmp", 0, &Watch::none()))
+            .is_err_and(|said| said.contains("picture.bmp"))
+    );
 }
 
 /// The values of all controls that have one.
@@ -111,7 +115,7 @@ fn controls_and_errors_name_files_as_the_user_knows_them() {
     assert_eq!(viewer.state()["name"], json!("own.pgm"));
     let sent = r#"{"action": {"do": "set", "key": "color", "value": "own.pgm"}, "drag": null}"#;
     viewer.apply(&Sent::of_json(sent).expect("an action")).expect("a file that is there");
-    assert!(viewer.picture(Asked::whole([4, 3]), &Watch::none()).is_ok());
+    assert!(block_on(viewer.picture(Asked::whole([4, 3]), &Watch::none())).is_ok());
     // A file that cannot be read leaves the scene as it was.
     viewer.give(2, "cut.pgm", MAP[..9].to_vec()).expect("a place");
     let said = viewer.take(2, None).expect_err("cut");
@@ -164,19 +168,19 @@ fn of_two_views_each_is_saved_and_read() {
     };
     apply(&mut viewer, "viewer.second", "bump");
     apply(&mut viewer, "viewer.second-show", "flip");
-    let picture = viewer.picture(Asked::whole([16, 12]), &Watch::none()).expect("drawn");
+    let picture = block_on(viewer.picture(Asked::whole([16, 12]), &Watch::none())).expect("drawn");
     let about = viewer.about(&picture);
     assert_eq!(about["views"][0]["method"], json!("exact"));
     let [x, y] =
         [0, 1].map(|side| about["views"][1]["errors"]["worst"][side].as_u64().expect("a pixel") as u32);
-    let read = viewer.pixel([x, y], &Watch::none()).expect("read");
+    let read = block_on(viewer.pixel([x, y], &Watch::none())).expect("read");
     assert_eq!(read["views"][1]["shown"]["name"], json!("flip"));
     assert!(read["views"][1]["shown"]["value"].as_f64().is_some_and(|flip| flip > 0.0), "{read}");
     assert_eq!(read["views"][0]["shown"], json!(null));
     let [first, second] =
-        [0, 1].map(|view| viewer.save("picture.png", view, &Watch::none()).expect("a picture"));
+        [0, 1].map(|view| block_on(viewer.save("picture.png", view, &Watch::none())).expect("a picture"));
     assert_ne!(first, second);
-    let none = viewer.save("picture.png", 2, &Watch::none()).expect_err("no view");
+    let none = block_on(viewer.save("picture.png", 2, &Watch::none())).expect_err("no view");
     assert!(none.contains("no view 2"), "{none}");
 }
 
@@ -198,7 +202,7 @@ fn linked(files: Files, values: &[(&str, &str)]) -> (Viewer, String) {
 }
 
 fn bytes(viewer: &mut Viewer) -> Result<Vec<u8>, String> {
-    let drawn = viewer.picture(Asked::whole([12, 9]), &Watch::none());
+    let drawn = block_on(viewer.picture(Asked::whole([12, 9]), &Watch::none()));
     drawn.map(crate::Drawn::into_pixels).map_err(|error| viewer.said_of_picture(&error))
 }
 

@@ -12,7 +12,7 @@ use serde_json::Value;
 use crate::labels::{said_of_scene, with_labels};
 use crate::linked::{Wanted, link_to, put, read_link};
 use crate::saved::of_view;
-use crate::{Asked, Document, Drawing, Drawn, Given, GivenError, NotDrawn, SaveError, Saved, Sent};
+use crate::{Asked, Document, Drawing, Drawn, Given, GivenError, NotDrawn, SaveError, Saved, Sent, Warming};
 
 /// Folder of the files that are given, in memory.
 const GIVEN: &str = "given";
@@ -71,7 +71,9 @@ impl Viewer {
 
     /// Returns what a page shows besides the picture, as JSON.
     pub fn state(&self) -> Value {
-        self.document.state(&self.given, &Saved::offered().into())
+        let mut state = self.document.state(&self.given, &Saved::offered().into());
+        state["needs"] = self.needs().into();
+        state
     }
 
     /// Applies an action, and returns what changed, as JSON.
@@ -140,14 +142,26 @@ impl Viewer {
             return Ok(Some(document.files_came(&found)));
         }
         let name = |path: &Path| path.file_name().map(ToOwned::to_owned);
-        match come.iter().find(|file| wanted.iter().any(|wanted| name(&wanted.path) == name(file))) {
-            Some(other) => Err(GivenError::Files(format!(
-                "{}: the link means a file of this name with another content: drop it onto a control, to \
-                 use it all the same",
-                other.display()
-            ))),
-            None => Ok(None),
-        }
+        let (Some(first), Some(needed)) = (come.first(), wanted.first()) else { return Ok(None) };
+        let same_name = come.iter().find(|file| wanted.iter().any(|wanted| name(&wanted.path) == name(file)));
+        let what = match same_name {
+            Some(file) => {
+                format!("{}: the link means a file of this name with another content", file.display())
+            }
+            None => {
+                let needed = needed.path.file_name().unwrap_or_default().to_string_lossy();
+                format!("{}: it is not what the link needs, {needed}", first.display())
+            }
+        };
+        Err(GivenError::Files(format!("{what}: drop it onto a control, to use it all the same")))
+    }
+
+    /// The names of files that a link needs and that have not come.
+    fn needs(&self) -> Vec<String> {
+        let spec = self.document.session().spec();
+        let is_needed = |wanted: &&Wanted| spec.files().any(|file| wanted.path.starts_with(file));
+        let name = |wanted: &Wanted| wanted.path.file_name().map(|name| name.to_string_lossy().into_owned());
+        self.wanted.iter().filter(is_needed).filter_map(name).collect()
     }
 
     /// Returns a link to the scene, as the end of an address behind `#`.
@@ -206,11 +220,22 @@ impl Viewer {
 
     /// Checks that all files of a link have come.
     fn complete(&self) -> Result<(), NotDrawn> {
-        let spec = self.document.session().spec();
-        let is_needed = |wanted: &&Wanted| spec.files().any(|file| wanted.path.starts_with(file));
-        let names: Vec<String> =
-            self.wanted.iter().filter(is_needed).map(|wanted| wanted.path.display().to_string()).collect();
+        let names = self.needs();
         if names.is_empty() { Ok(()) } else { Err(NotDrawn::Wanted(names.join(", "))) }
+    }
+
+    /// Shows the scene of a text in place of this one, as another viewer's [`text`](Self::text) has it. Nothing
+    /// can be undone then.
+    ///
+    /// # Errors
+    ///
+    /// When it is no scene.
+    pub fn show(&mut self, text: &str) -> Result<(), String> {
+        let session = Session::new(text).map_err(|refused| self.said(&refused.to_string()))?;
+        if session.spec() != self.document.session().spec() {
+            self.document.begin(session);
+        }
+        Ok(())
     }
 
     /// Draws the scene as it is.
@@ -218,10 +243,10 @@ impl Viewer {
     /// # Errors
     ///
     /// See [`Drawing::draw`].
-    pub fn picture(&mut self, asked: Asked, watch: &Watch) -> Result<Drawn, NotDrawn> {
+    pub async fn picture(&mut self, asked: Asked, watch: &Watch<'_>) -> Result<Drawn, NotDrawn> {
         self.document.set_pane(asked.pane);
         self.complete()?;
-        let drawn = self.drawing.draw(self.document.session().spec(), asked, watch)?;
+        let drawn = self.drawing.draw(self.document.session().spec(), asked, watch).await?;
         self.document.session_mut().shown(drawn.seen);
         Ok(drawn)
     }
@@ -232,8 +257,13 @@ impl Viewer {
     /// # Errors
     ///
     /// See [`Drawing::draw`].
-    pub fn pixel(&mut self, at: [u32; 2], watch: &Watch) -> Result<Value, NotDrawn> {
-        Ok(self.drawing.pixel(at, watch)?.unwrap_or(Value::Null))
+    pub async fn pixel(&mut self, at: [u32; 2], watch: &Watch<'_>) -> Result<Value, NotDrawn> {
+        Ok(self.drawing.pixel(at, watch).await?.unwrap_or(Value::Null))
+    }
+
+    /// Returns the work that lets a GPU take over, for the background. See [`Drawing::warming`].
+    pub fn warming(&self) -> Vec<Warming> {
+        self.drawing.warming()
     }
 
     /// Returns the scene's text, as it is.
@@ -253,21 +283,26 @@ impl Viewer {
     /// # Errors
     ///
     /// When no file has this name, or the picture cannot be drawn.
-    pub fn save(&mut self, what: &str, view: usize, watch: &Watch) -> Result<Vec<u8>, String> {
+    pub async fn save(&mut self, what: &str, view: usize, watch: &Watch<'_>) -> Result<Vec<u8>, String> {
         let spec = self.document.shown();
-        let of_view = || of_view(&spec, view);
-        let saved = match Saved::named(what) {
-            Ok(Saved::Scene) => return Ok(self.given.scene_text(&spec, Path::to_owned).into_bytes()),
-            Ok(Saved::Picture(format)) => {
-                of_view().and_then(|spec| self.drawing.picture(&spec, format, watch))
-            }
-            Ok(Saved::Aov) => of_view().and_then(|spec| self.drawing.aov(&spec, watch)),
-            Err(error) => Err(error),
-        };
-        saved.map_err(|error| match error {
+        self.saved(&spec, what, view, watch).await.map_err(|error| match error {
             SaveError::NotDrawn(error) => self.said_of_picture(&error),
             error => self.said(&error.to_string()),
         })
+    }
+
+    async fn saved(
+        &mut self,
+        spec: &SceneSpec,
+        what: &str,
+        view: usize,
+        watch: &Watch<'_>,
+    ) -> Result<Vec<u8>, SaveError> {
+        match Saved::named(what)? {
+            Saved::Scene => Ok(self.given.scene_text(spec, Path::to_owned).into_bytes()),
+            Saved::Picture(format) => self.drawing.picture(&of_view(spec, view)?, format, watch).await,
+            Saved::Aov => self.drawing.aov(&of_view(spec, view)?, watch).await,
+        }
     }
 
     /// Returns why there is no picture, in words for the page.

@@ -4,7 +4,8 @@ use std::error::Error;
 
 use relief::maps::Maps;
 use relief::mesh::square;
-use relief::render::gpu::{Gpu, block_on};
+use relief::render::block_on;
+use relief::render::gpu::Gpu;
 use relief::render::{Renderer, wgpu};
 use relief::scene::{Look, Sampling, Scene, Surface};
 use relief::{HeightMap, Watch, Wrap};

@@ -4,7 +4,7 @@ use std::error::Error;
 
 use relief::export::{FunctionOptions, functions};
 use relief::io::{PngColour, write_png8};
-use relief::render::gpu::block_on;
+use relief::render::block_on;
 use relief::render::wgpu::{self, util::DeviceExt};
 use relief::shaders::Selection;
 use relief::{HeightMap, Wrap};

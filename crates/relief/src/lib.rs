@@ -122,7 +122,7 @@
 //! too. Draw on the CPU in one thread, with the same hits to the last bit, or on a GPU with the functions
 //! that are `async`. What panics there are the functions that wait for a GPU,
 //! [`Gpu::new`](render::gpu::Gpu::new), [`GpuRenderer::render`](render::gpu::GpuRenderer::render) and
-//! [`block_on`](render::gpu::block_on).
+//! [`block_on`](render::block_on).
 
 pub use glam;
 #[doc(inline)]

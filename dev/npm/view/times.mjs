@@ -31,9 +31,13 @@ export function watch() {
         return bytes;
     };
     const asked = new Map();
+    let hasFirst = false;
     window.Worker = class extends Worker {
         constructor(...all) {
             super(...all);
+            // The others draw what the first one is told.
+            if (hasFirst) return;
+            hasFirst = true;
             this.addEventListener("message", ({ data: { id, done } }) => {
                 if (done?.about) revision = done.about.revision;
                 if (asked.has(id) && done) seen.sent.push({ at: asked.get(id), revision: done.revision });

@@ -79,6 +79,13 @@ export async function a_second_view_opens_and_closes(seat) {
     assert.equal(await shown(), true);
     const methods = async () => (await seat.control("viewer.second")).value;
     assert.equal(await methods(), '"relief"', "beside the exact method stands another");
+    await seat.page.select('[data-choice="viewer.second"]', "");
+    await seat.rest();
+    assert.equal(await shown(), true, "the same method closes it");
+    assert.equal((await seat.control("viewer.second-show")).value, '"picture"');
+    await seat.page.select('[data-choice="viewer.second-show"]', "");
+    await seat.rest();
+    assert.equal(await shown(), true, "the same number closes it");
     await seat.page.select('[data-choice="viewer.second"]', "cone");
     await seat.rest();
     assert.equal(await methods(), '"cone"');

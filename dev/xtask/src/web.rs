@@ -12,19 +12,19 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// optimised: the check takes less time in all.
 const WORKING: [&str; 3] = ["relief-core", "relief-render", "relief-shaders"];
 
-/// Builds the module in the profile `web`, prints its size, and writes the page with it into
-/// `target/web`, for any static host. With `serve` it also serves the page at this port of the
+/// Builds the module in the profile `module`, writes the page with it into `target/web`, for any
+/// static host, and prints what it takes. With `serve` it also serves the page at this port of the
 /// machine, until it is stopped.
 ///
 /// # Errors
 ///
 /// When the target's standard library or Node is missing, or a build fails: it has said so.
 pub fn make(root: &Path, serve: Option<u16>) -> Result<(), String> {
-    let module = written("web", &[], "web-module")?;
-    succeed(script(root).arg("--size").arg(&module))?;
+    let module = written("module", &[], "web-module")?;
     let folder = target_folder()?.join("web");
     page(root, &module, &folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     println!("wrote {}", folder.display());
+    succeed(script(root).arg("--size").arg(&folder))?;
     match serve {
         Some(port) => {
             let mut node = Command::new("node");

@@ -1,5 +1,6 @@
 //! CPU backend. Rays are cast against the base meshes; the translated shaders do the rest.
 
+use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -91,7 +92,7 @@ impl CpuRenderer {
         let count = (job.width as usize).checked_mul(job.height as usize);
         let mut pixels = count.and_then(all_uncovered).ok_or(CpuError::OutOfMemory)?;
         let samples = samples(job.samples, true);
-        let done = Progress::of(job, watch);
+        let done = Progress::of(job, job.height, watch);
         let job = &*self.tessellated.job(job);
         let accelerations = self.accelerations(job);
         let prepared = self.prepare(job, &accelerations, &done)?;
@@ -99,29 +100,32 @@ impl CpuRenderer {
         Ok(Rendering { width: job.width, height: job.height, pixels })
     }
 
-    /// Renders a job in bands of whole rows, from the top. `sink` gets each band when it is done.
-    /// With `numbers`, pixels are the same as in a [`Rendering`]. Without, only the colour is; the
-    /// other values come from one of the pixel's samples, which takes less time.
+    /// Renders some rows of a job, counted from the top, in bands. `sink` gets each band when it is
+    /// done. With `numbers`, pixels are the same as in a [`Rendering`]. Without, only the colour is;
+    /// the other values come from one of the pixel's samples, which takes less time. Rows below the
+    /// picture do not count.
     ///
     /// # Errors
     ///
     /// When the memory cannot be had, or the watch or the sink cancels the rendering.
-    pub fn render_bands(
+    pub fn render_rows(
         &mut self,
         job: &Job,
+        rows: Range<u32>,
         numbers: bool,
         watch: &Watch,
         sink: &mut dyn FnMut(&[PixelOut]) -> Result<(), Cancelled>,
     ) -> Result<(), CpuError> {
+        let Range { start, end } = rows.start..rows.end.min(job.height);
         let samples = samples(job.samples, numbers);
-        let done = Progress::of(job, watch);
+        let done = Progress::of(job, end.saturating_sub(start), watch);
         let job = &*self.tessellated.job(job);
         let accelerations = self.accelerations(job);
         let prepared = self.prepare(job, &accelerations, &done)?;
         let rows = (BAND_PIXELS / job.width.max(1)).clamp(1, job.height.max(1));
         let mut pixels = all_uncovered(job.width as usize * rows as usize).ok_or(CpuError::OutOfMemory)?;
-        for first in (0..job.height).step_by(rows as usize) {
-            let rows = rows.min(job.height - first);
+        for first in (start..end).step_by(rows as usize) {
+            let rows = rows.min(end - first);
             let pixels = &mut pixels[..job.width as usize * rows as usize];
             prepared.rows(job, &samples, first).render(pixels, &done)?;
             watch.check()?;
@@ -208,8 +212,8 @@ struct Progress<'a> {
 }
 
 impl<'a> Progress<'a> {
-    fn of(job: &Job, watch: &'a Watch<'a>) -> Self {
-        Self { rows: AtomicU32::new(0), all: job.height.saturating_add(light_map::rows(job)), watch }
+    fn of(job: &Job, rows: u32, watch: &'a Watch<'a>) -> Self {
+        Self { rows: AtomicU32::new(0), all: rows.saturating_add(light_map::rows(job)), watch }
     }
 
     /// Adds rows that are done, or that need no work.

@@ -50,11 +50,16 @@ impl Scale {
     }
 
     /// Returns the place of a number along the scale, from 0 to 1. If all numbers are equal, it is
-    /// in the middle.
+    /// in the middle; at the beginning if they are nothing, as errors of the exact picture are.
     pub fn place(&self, number: f32) -> f32 {
         let Some([least, most]) = self.shown_ends() else { return 0.0 };
         if least >= most {
-            return 0.5;
+            let is_nothing = match self.form {
+                Form::Logarithmic(floor) => most <= floor,
+                Form::Linear => most == 0.0,
+                Form::Counts | Form::Directions => false,
+            };
+            return if is_nothing { 0.0 } else { 0.5 };
         }
         let part = match self.form {
             Form::Logarithmic(_) => (number.max(least) / least).ln() / (most / least).ln(),
@@ -164,7 +169,9 @@ mod tests {
         let errors = Scale::of(Form::Logarithmic(1e-3), &[0.0, 20.0]);
         assert_eq!(labels(errors), ["<=0.001", "20", "0.01", "0.1", "1", "10"]);
         assert_eq!((errors.place(0.0), errors.place(20.0)), (0.0, 1.0));
-        assert_eq!(labels(Scale::of(Form::Logarithmic(1e-3), &[0.0, 1e-5])), ["<=0.001 everywhere"]);
+        let none = Scale::of(Form::Logarithmic(1e-3), &[0.0, 1e-5]);
+        assert_eq!((labels(none), none.place(0.0)), (vec!["<=0.001 everywhere".to_owned()], 0.0));
+        assert_eq!(Scale::of(Form::Linear, &[0.0]).place(0.0), 0.0);
     }
 
     #[test]

@@ -28,6 +28,8 @@ impl AdapterChoice {
             DeviceType::DiscreteGpu => 0,
             DeviceType::IntegratedGpu => 1,
             DeviceType::VirtualGpu => 2,
+            // A browser names no kind, but for software.
+            DeviceType::Other if cfg!(target_arch = "wasm32") => 2,
             DeviceType::Other => 3,
             DeviceType::Cpu => 4,
         };
@@ -68,7 +70,7 @@ fn instance() -> Instance {
 
 fn new_instance() -> Instance {
     Instance::new(InstanceDescriptor {
-        backends: Backends::VULKAN | Backends::METAL | Backends::DX12,
+        backends: Backends::VULKAN | Backends::METAL | Backends::DX12 | Backends::BROWSER_WEBGPU,
         ..InstanceDescriptor::new_without_display_handle()
     })
 }
@@ -78,7 +80,9 @@ pub(super) fn described(info: &AdapterInfo) -> String {
     let driver = [info.driver.as_str(), info.driver_info.as_str()].map(str::trim);
     let driver: Vec<&str> = driver.into_iter().filter(|part| !part.is_empty()).collect();
     let driver = if driver.is_empty() { String::new() } else { format!(", {}", driver.join(" ")) };
-    format!("{} ({}{driver})", info.name.trim(), info.backend)
+    // Browsers keep names to themselves.
+    let name = if info.name.trim().is_empty() { "GPU" } else { info.name.trim() };
+    format!("{name} ({}{driver})", info.backend)
 }
 
 /// Returns the limits to request: WebGPU's reduced defaults, with the adapter's own sizes of

@@ -7,9 +7,10 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use relief_shaders::cpu::{Shared, write_all};
 use wgpu::{Buffer, BufferDescriptor, BufferUsages, DeviceDescriptor, ErrorFilter, MapMode, PollType};
 
+use super::promise::promise;
 use super::textures::STAGING_BYTES;
-use super::wait::{block_on, promise};
 use super::{AdapterChoice, GpuError, adapter};
+use crate::block_on;
 
 /// GPU with an open device and its queue. Clones share them.
 #[derive(Clone, Debug)]
@@ -104,6 +105,11 @@ impl Gpu {
     /// Returns the adapter's name, its backend and its driver.
     pub fn description(&self) -> &str {
         &self.description
+    }
+
+    /// Whether the device is known to be lost. Of a caller's own device it is not known.
+    pub fn is_lost(&self) -> bool {
+        self.driver_errors.as_ref().is_some_and(|errors| locked(errors).lost.is_some())
     }
 
     /// Returns the device.

@@ -136,6 +136,9 @@ pub enum GpuError {
 }
 
 fn no_adapter(wanted: AdapterChoice) -> &'static str {
+    if cfg!(target_arch = "wasm32") {
+        return "this browser offers no GPU by WebGPU; render on the CPU, or use another browser";
+    }
     match wanted {
         AdapterChoice::Real => {
             "no hardware GPU was found; install its Vulkan driver, allow software adapters, or render on the \

@@ -20,6 +20,7 @@ mod pipelines;
 mod probe;
 mod program_cache;
 mod programs;
+mod promise;
 mod pyramid;
 mod renderer;
 mod resident;
@@ -30,11 +31,9 @@ mod tessellate;
 #[cfg(test)]
 mod tests;
 mod textures;
-mod wait;
 
 pub use adapter::AdapterChoice;
 pub use device::Gpu;
 pub use error::GpuError;
 pub use probe::Prober;
 pub use renderer::{GpuRenderer, Work};
-pub use wait::block_on;

@@ -11,8 +11,8 @@ use wgpu::{BindGroup, BindGroupLayout, Buffer, BufferUsages, CommandEncoder, Com
 use super::layouts::group;
 use super::programs::{List, Programs};
 use super::resident::{Common, Resident, Uniform};
-use super::wait::block_on;
 use super::{Gpu, GpuError};
+use crate::block_on;
 use crate::job::JobSurface;
 
 /// Rays of a dispatch: a few rows of the shader's workgroups, and some ten MiB. With larger

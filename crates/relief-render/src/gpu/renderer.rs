@@ -6,6 +6,8 @@ mod passes;
 mod prepare;
 mod time;
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 use relief_core::{Cancelled, Watch};
 use relief_shaders::MapNeed;
@@ -19,8 +21,8 @@ use super::programs::Programs;
 use super::resident::Resident;
 use super::targets::{self, Band, Targets};
 use super::textures::Precision;
-use super::wait::block_on;
 use super::{Gpu, GpuError, pyramid};
+use crate::block_on;
 use crate::cpu::tessellated::TessellatedCache;
 use crate::job::{Job, Rendering};
 use crate::samples::samples;
@@ -122,53 +124,45 @@ impl GpuRenderer {
             pixels.par_extend(band);
             Ok(())
         };
-        self.render_bands_async(job, sampling, true, watch, &mut sink).await?;
+        self.render_rows_async(job, sampling, 0..height, true, watch, &mut sink).await?;
         Ok(Rendering { width, height, pixels })
     }
 
-    /// Renders a job in bands of whole rows, from the top. `sink` gets each band when it is read
-    /// back. With `numbers`, pixels are the same as in a [`Rendering`]. Without, only the colour
-    /// is; the other values come from one of the pixel's samples, which takes less time. It waits
-    /// for the GPU, which the web does not allow: use [`Self::render_bands_async`] there.
+    /// Renders some rows of a job, counted from the top, in bands, without blocking the thread.
+    /// `sink` gets each band when it is read back. With `numbers`, pixels are the same as in a
+    /// [`Rendering`]. Without, only the colour is; the other values come from one of the pixel's
+    /// samples, which takes less time. Rows below the picture do not count.
     ///
     /// # Errors
     ///
     /// See [`Self::render`]. Also when `sink` cancels the rendering.
-    pub fn render_bands(
+    pub async fn render_rows_async(
         &mut self,
         job: &Job,
         sampling: Sampling,
+        rows: Range<u32>,
         numbers: bool,
         watch: &Watch<'_>,
         sink: &mut dyn FnMut(&[PixelOut]) -> Result<(), Cancelled>,
     ) -> Result<(), GpuError> {
-        block_on(self.render_bands_async(job, sampling, numbers, watch, sink))
-    }
-
-    /// Renders a job like [`Self::render_bands`], without blocking the thread.
-    ///
-    /// # Errors
-    ///
-    /// See [`Self::render`].
-    pub async fn render_bands_async(
-        &mut self,
-        job: &Job,
-        sampling: Sampling,
-        numbers: bool,
-        watch: &Watch<'_>,
-        sink: &mut dyn FnMut(&[PixelOut]) -> Result<(), Cancelled>,
-    ) -> Result<(), GpuError> {
-        if job.width == 0 || job.height == 0 {
+        let Range { start, end } = rows.start..rows.end.min(job.height);
+        if job.width == 0 || start >= end {
             return Ok(());
         }
         let before = self.work_so_far();
         let ready = self.prepare(job, sampling, samples(job.samples, numbers), None).await?;
         let mut pixels = Vec::new();
         for number in 0..self.targets()?.bands.len() {
+            let Some(band) = self.band(number) else { continue };
+            let [first, last] = [band.first_row, band.first_row + band.rows].map(|row| row.clamp(start, end));
+            if first >= last {
+                continue;
+            }
             pixels.clear();
-            let band = self.read_band(&ready, number, &mut pixels).await?;
-            watch.at((band.first_row + band.rows) as f32 / job.height as f32)?;
-            sink(&pixels)?;
+            self.read_band(&ready, number, &mut pixels).await?;
+            watch.at((last - start) as f32 / (end - start) as f32)?;
+            let [first, last] = [first, last].map(|row| (row - band.first_row) as usize * job.width as usize);
+            sink(&pixels[first..last])?;
         }
         self.work = self.work_since(before);
         Ok(())
@@ -227,17 +221,21 @@ impl GpuRenderer {
         self.targets.as_mut().ok_or(GpuError::EmptyPicture)
     }
 
+    /// Returns the rows of a band.
+    fn band(&self, number: usize) -> Option<Band> {
+        Some(self.targets.as_ref()?.bands.get(number)?.first()?.band)
+    }
+
     /// Traces and shades the rows of a band, and reads them back.
     async fn read_band(
         &mut self,
         ready: &Passes,
         number: usize,
         pixels: &mut Vec<PixelOut>,
-    ) -> Result<Band, GpuError> {
+    ) -> Result<(), GpuError> {
         let gpu = self.gpu.clone();
+        let band = self.band(number).ok_or(GpuError::EmptyPicture)?;
         let targets = self.targets()?;
-        let first = targets.bands.get(number).and_then(|passes| passes.first());
-        let band = first.ok_or(GpuError::EmptyPicture)?.band;
         let [bytes, _] = targets.bytes(band);
         let readable = gpu
             .guarded(|| {
@@ -252,8 +250,7 @@ impl GpuRenderer {
             let records = bytes.par_chunks_exact(Record::SIZE).map(Record::read);
             pixels.par_extend(records.map(pixel_of));
         });
-        read.await?;
-        Ok(band)
+        read.await
     }
 }
 

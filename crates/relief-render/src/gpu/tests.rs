@@ -12,7 +12,8 @@ use relief_shaders::wgsl::Sampling;
 use relief_shaders::{Selection, SlotMaps};
 use wgpu::{BufferUsages, DeviceDescriptor, Features, Limits};
 
-use super::{AdapterChoice, Gpu, GpuError, GpuRenderer, Prober, Work, block_on};
+use super::{AdapterChoice, Gpu, GpuError, GpuRenderer, Prober, Work};
+use crate::block_on;
 use crate::job::{Job, JobSurface, LightViews, Rendering};
 use crate::mipmaps::Mipmaps;
 use crate::picture::linear;

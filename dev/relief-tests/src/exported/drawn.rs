@@ -4,7 +4,8 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use relief_export::{Exported, File};
-use relief_render::gpu::{Gpu, block_on};
+use relief_render::block_on;
+use relief_render::gpu::Gpu;
 use relief_render::job::Job;
 use relief_render::wgpu::{
     self, ShaderModule, ShaderModuleDescriptor, ShaderSource, TextureFormat, TextureUsages,

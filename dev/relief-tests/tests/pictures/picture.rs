@@ -10,7 +10,7 @@ use relief_core::mesh::{Builtin, square};
 use relief_core::{Cancelled, HeightMap, Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::job::Rendering;
-use relief_render::{RENDERING, RenderError, Renderer, render};
+use relief_render::{RENDERING, RenderError, Renderer, block_on, render};
 use relief_scene::{BackendChoice, Look, Scene, SceneSpec, Surface, SurfaceSpec, View, read_scene};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
@@ -186,6 +186,19 @@ fn bands_are_the_rows_of_the_whole_picture() {
                 assert!(colours(&all) == colours(&whole.pixels), "{backend}");
             }
         }
+        let mut rows_of = |rows| {
+            let mut some = Vec::new();
+            let mut sink = |band: &[PixelOut]| {
+                some.extend_from_slice(band);
+                Ok(())
+            };
+            let quiet = Watch::none();
+            let drawn = renderer.render_rows_async(&scene, &mut maps, rows, true, &quiet, &mut sink);
+            block_on(drawn).expect("rows");
+            some
+        };
+        assert!(rows_of(37..390) == whole.pixels[37 * 701..390 * 701], "{backend}");
+        assert!(rows_of(390..u32::MAX) == whole.pixels[390 * 701..] && rows_of(400..500).is_empty());
         // Whoever has enough gets no more.
         let mut bands = 0;
         let stopped = renderer.render_bands(&scene, &mut maps, false, &Watch::none(), &mut |_| {

@@ -166,7 +166,8 @@ fn picture(query: &Query, viewer: &Viewer) -> Answer {
         return Answer::error(400, "a picture needs width and height, each at least 1");
     };
     let is_quick = query.text("samples").as_deref() == Some("one");
-    let asked = Asked { pane: [width, height], part: query.number("part").unwrap_or(1.0), is_quick };
+    let part = query.number("part").unwrap_or(1.0);
+    let asked = Asked { part, is_quick, ..Asked::whole([width, height]) };
     match viewer.picture(asked) {
         Ok(bytes) => Answer::bytes(BYTES, bytes),
         Err(Ended::Changed) => Answer::error(ENDED, "another change ended it"),

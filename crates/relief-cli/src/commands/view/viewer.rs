@@ -2,12 +2,13 @@
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread;
 
 use relief_compare::EXACT_HITS;
 use relief_core::{ByteSize, Watch};
 use relief_io::Files;
 use relief_maps::Maps;
-use relief_render::RENDERING;
+use relief_render::{RENDERING, block_on};
 use relief_scene::{KeyGroup, Scene, SceneError, SceneSpec, keys};
 use relief_session::{Changed, Session};
 use relief_viewer::{Asked, Document, Drawing, GivenError, NotDrawn, Sent, with_labels};
@@ -154,8 +155,12 @@ impl Viewer {
         self.stop.store(false, Ordering::Relaxed);
         self.tell("reading", 0.0, asked.is_quick);
         let tell = |task: &str, part: f32| self.tell(task, part, asked.is_quick);
-        let drawn = drawing.draw(&spec, asked, &Watch::new(&tell, &self.stop));
+        let drawn = block_on(drawing.draw(&spec, asked, &Watch::new(&tell, &self.stop)));
         self.tell("", 0.0, false);
+        for warming in drawing.warming() {
+            // The program may end meanwhile.
+            thread::spawn(|| block_on(warming.run()));
+        }
         let drawn = drawn.map_err(|error| self.ended(error))?;
         locked(&self.document).session_mut().shown(drawn.seen);
         let about = drawn.about(revision, |text| self.said(text)).to_string();
@@ -171,7 +176,7 @@ impl Viewer {
         let mut drawing = locked(&self.drawing);
         self.stop.store(false, Ordering::Relaxed);
         let tell = |task: &str, part: f32| self.tell(task, part, true);
-        let found = drawing.pixel(at, &Watch::new(&tell, &self.stop));
+        let found = block_on(drawing.pixel(at, &Watch::new(&tell, &self.stop)));
         self.tell("", 0.0, false);
         Ok(found.map_err(|error| self.ended(error))?.unwrap_or(Value::Null))
     }

@@ -10,10 +10,11 @@ use wgpu::{Limits, TexelCopyBufferInfo, TexelCopyBufferLayout};
 
 use super::*;
 use crate::Renderer;
+use crate::block_on;
+use crate::gpu::Work;
 use crate::gpu::programs::Programs;
 use crate::gpu::tests::{hills, own, rendered, scene, software, three_surfaces};
 use crate::gpu::textures::{self, Precision};
-use crate::gpu::{Work, block_on};
 use crate::job::Rendering;
 use relief_scene::{Scene, Surface};
 

@@ -6,9 +6,9 @@ use relief_shaders::wgsl::Sampling;
 use web_time::Instant;
 
 use super::super::pass_clock::{MAX_PASSES, PassClock};
-use super::super::wait::block_on;
 use super::passes::{Passes, submit_band};
 use super::{GpuError, GpuRenderer};
+use crate::block_on;
 use crate::frame_time::FrameTime;
 use crate::job::Job;
 use crate::samples::samples;

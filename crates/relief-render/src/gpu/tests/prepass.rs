@@ -18,12 +18,13 @@ use wgpu::{
 
 use super::software;
 use crate::Renderer;
+use crate::block_on;
+use crate::gpu::Gpu;
 use crate::gpu::light_map::Frames;
 use crate::gpu::pipelines::{DEPTH, nearest, raster};
 use crate::gpu::programs::Layouts;
 use crate::gpu::resident::{Common, Resident};
 use crate::gpu::targets::Targets;
-use crate::gpu::{Gpu, block_on};
 use crate::job::Job;
 use crate::prepare::Preparer;
 use crate::samples::samples;

@@ -8,9 +8,10 @@ use relief_shaders::cpu::{Corner, Face, Shared, read_all};
 use relief_shaders::wgsl::Sampling;
 use wgpu::{BufferUsages, Limits};
 
-use super::super::{Gpu, GpuRenderer, block_on};
+use super::super::{Gpu, GpuRenderer};
 use super::{own, rendered, software};
 use crate::Renderer;
+use crate::block_on;
 use crate::cpu::tessellated::tests::{BY_TEXELS, SWEPT, job_of, made, scene_of, surface_of};
 use crate::job::Job;
 use relief_core::mesh::{cube, rectangle, sphere, square, torus};

@@ -1,32 +1,9 @@
-//! Futures without a runtime: waiting for a future on this thread, and futures fulfilled by
-//! callbacks.
+//! Futures of what callbacks give.
 
 use std::future::Future;
-use std::pin::{Pin, pin};
+use std::pin::Pin;
 use std::sync::{Arc, Mutex, PoisonError};
-use std::task::{Context, Poll, Wake, Waker};
-use std::thread::{self, Thread};
-
-/// Runs a future to its end on this thread, which sleeps meanwhile, and returns its output. It does
-/// not work on the web, where nothing goes on while a thread sleeps.
-pub fn block_on<F: Future>(future: F) -> F::Output {
-    struct Unpark(Thread);
-
-    impl Wake for Unpark {
-        fn wake(self: Arc<Self>) {
-            self.0.unpark();
-        }
-    }
-
-    let waker = Waker::from(Arc::new(Unpark(thread::current())));
-    let mut future = pin!(future);
-    loop {
-        match future.as_mut().poll(&mut Context::from_waker(&waker)) {
-            Poll::Ready(output) => return output,
-            Poll::Pending => thread::park(),
-        }
-    }
-}
+use std::task::{Context, Poll, Waker};
 
 /// Value of a callback, once it has given it.
 struct Promise<T> {
@@ -74,7 +51,10 @@ impl<T> Future for Receiver<T> {
 
 #[cfg(test)]
 mod tests {
+    use std::thread;
+
     use super::*;
+    use crate::block_on;
 
     #[test]
     fn a_value_from_another_thread_is_waited_for() {
