@@ -313,6 +313,36 @@ impl Renderer {
         }
     }
 
+    /// Renders a scene into a picture for screens on the GPU: red, green, blue and 255 of each pixel in
+    /// sRGB, row by row from the top. Each byte is the one of [`picture::srgb8`](crate::picture::srgb8),
+    /// or a neighbour; it comes sooner, since exposure and tone curve are applied on the GPU. Returns
+    /// `None` on the CPU.
+    ///
+    /// # Errors
+    ///
+    /// See [`Self::render`].
+    #[cfg(feature = "gpu")]
+    pub async fn screen_async(
+        &mut self,
+        scene: &Scene,
+        maps: &mut Maps,
+        watch: &Watch<'_>,
+    ) -> Result<Option<(Vec<u8>, RenderInfo)>, RenderError> {
+        if matches!(self.backend, Backend::Cpu(_)) {
+            return Ok(None);
+        }
+        let (job, accounts, started) = self.prepare(scene, maps, watch)?;
+        let (gain, tone) = (scene.exposure().exp2(), scene.tone());
+        match &mut self.backend {
+            Backend::Gpu(renderer, sampling) => {
+                let picture = renderer.screen_async(&job, *sampling, gain, tone).await?;
+                watch.task(RENDERING).at(1.0)?;
+                Ok(Some((picture, self.info(accounts, started))))
+            }
+            Backend::Cpu(_) => Ok(None),
+        }
+    }
+
     /// Uploads, compiled programs and built maps of the last picture; zeros on the CPU.
     #[cfg(feature = "gpu")]
     pub fn last_work(&self) -> Work {

@@ -232,6 +232,8 @@ pub const MODULES: &[Module] = &[
 // texels, and its points lie at equal distances on the base. A fixed pattern fills the inside, or
 // the voxels themselves do. All data of a side follows from its two ends, so that neighbours meet.
 "# },
+    Module { path: "shared/tone", head: r#"// Colours of a screen: tone curves, and the bytes of sRGB. The CPU has the same in 64 bits (`relief-scene`, `tone`).
+"# },
     Module { path: "shared/translucent", head: r#"// Light through a volume that absorbs and scatters it, as far as the volume's values say: no surface is
 // hit, and the light that is scattered toward the eye is gathered along the ray.
 //
@@ -771,6 +773,9 @@ pub const MODULES: &[Module] = &[
     Module { path: "roots/resolve", head: r#"// The pass after each sample of some rows: it adds the sample's colour to those before. The last
 // one leaves the pixel's colour in the records.
 "# },
+    Module { path: "roots/screen", head: r#"// The picture for screens: the bytes of sRGB of the records of some rows, with exposure and tone curve, over the
+// background.
+"# },
     Module { path: "roots/shade", head: r#"// The second pass of a picture on the GPU: every pixel that the first pass traced is shaded once.
 // The first pass leaves out hits behind another surface. The first surface's pass writes all
 // pixels, so that nothing of an earlier picture remains.
@@ -1118,6 +1123,20 @@ pub const DECLARATIONS: &[Declaration] = &[
         sampling: None,
         uses: &["PointSettings"],
         text: r#"@group(1) @binding(21) var<uniform> point_settings: PointSettings;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "screen_settings",
+        sampling: None,
+        uses: &["ScreenSettings"],
+        text: r#"@group(1) @binding(22) var<uniform> screen_settings: ScreenSettings;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "screen",
+        sampling: None,
+        uses: &[],
+        text: r#"@group(1) @binding(23) var<storage, read_write> screen: array<u32>;"#,
     },
     Declaration {
         module: "constants",
@@ -8104,6 +8123,21 @@ struct PassSettings {
     },
     Declaration {
         module: "shared/settings",
+        name: "ScreenSettings",
+        sampling: None,
+        uses: &[],
+        text: r#"// Settings of the pass that makes the picture for screens.
+struct ScreenSettings {
+    // Columns and rows of the picture.
+    size: vec2u,
+    // The factor on light, from the exposure.
+    gain: f32,
+    // The number of the tone curve; 0 is none.
+    tone: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/settings",
         name: "PyramidPass",
         sampling: None,
         uses: &[],
@@ -10091,6 +10125,72 @@ fn displaced_site(grid: Tessellation, site: BaseSite) -> Corner {
         normal = up;
     }
     return Corner(position, normal, along, down, site.uv, vec3f(0.0, 0.0, 0.0));
+}"#,
+    },
+    Declaration {
+        module: "shared/tone",
+        name: "TONE_AGX",
+        sampling: None,
+        uses: &[],
+        text: r#"// The curve AgX among all curves; 0 leaves colours as they are.
+const TONE_AGX: u32 = 1u;"#,
+    },
+    Declaration {
+        module: "shared/tone",
+        name: "toned",
+        sampling: None,
+        uses: &["TONE_AGX", "agx"],
+        text: r#"// The colour of light by a tone curve; both are linear sRGB.
+fn toned(tone: u32, light: vec3f) -> vec3f {
+    if (tone == TONE_AGX) {
+        return agx(light);
+    }
+    return light;
+}"#,
+    },
+    Declaration {
+        module: "shared/tone",
+        name: "agx",
+        sampling: None,
+        uses: &[],
+        text: r#"// AgX (Troy Sobotka, 2022) as in three.js. Bright colours become pale; none is clipped.
+fn agx(light: vec3f) -> vec3f {
+    // Columns: what red, green and blue give.
+    let to_rec2020 = mat3x3f(0.6274, 0.0691, 0.0164, 0.3293, 0.9195, 0.0880, 0.0433, 0.0113, 0.8956);
+    let from_rec2020 =
+        mat3x3f(1.6605, -0.1246, -0.0182, -0.5876, 1.1329, -0.1006, -0.0728, -0.0083, 1.1187);
+    let inset = mat3x3f(
+        0.85662715, 0.13731897, 0.11189821, 0.09512124, 0.761242, 0.07679942, 0.048251606, 0.10143904,
+        0.81130237,
+    );
+    let outset = mat3x3f(
+        1.1271006, -0.14132976, -0.14132976, -0.11060664, 1.1578237, -0.11060664, -0.016493939, -0.016493939,
+        1.2519364,
+    );
+    let stops = log2(max(inset * (to_rec2020 * light), vec3f(1e-10)));
+    let part = clamp((stops + 12.47393) / 16.499999, vec3f(0.0), vec3f(1.0));
+    var curve = 15.5 * part - 40.14;
+    curve = curve * part + 31.96;
+    curve = curve * part - 6.868;
+    curve = curve * part + 0.4298;
+    curve = curve * part + 0.1191;
+    curve = curve * part - 0.00232;
+    let shown = pow(max(outset * curve, vec3f(0.0)), vec3f(2.2));
+    return clamp(from_rec2020 * shown, vec3f(0.0), vec3f(1.0));
+}"#,
+    },
+    Declaration {
+        module: "shared/tone",
+        name: "srgb_bytes",
+        sampling: None,
+        uses: &[],
+        text: r#"// Red, green, blue and 255 in sRGB (IEC 61966-2-1), the first in the lowest byte.
+fn srgb_bytes(linear: vec3f) -> u32 {
+    let inside = clamp(linear, vec3f(0.0), vec3f(1.0));
+    let curved = 1.055 * pow(inside, vec3f(1.0 / 2.4)) - 0.055;
+    let encoded = select(curved, 12.92 * inside, inside <= vec3f(0.0031308));
+    let bytes = vec3u(encoded * 255.0 + 0.5);
+    return bytes.x | (bytes.y << 8u) | (bytes.z << 16u) | (255u << 24u);
 }"#,
     },
     Declaration {
@@ -17122,6 +17222,32 @@ fn resolve_main(@builtin(global_invocation_id) id: vec3u) {
     if (pass_settings.is_last == 1u) {
         records[place].color = sum;
     }
+}"#,
+    },
+    Declaration {
+        module: "roots/screen",
+        name: "screen_main",
+        sampling: None,
+        uses: &["SHADE_GROUP", "background_at", "frame", "pass_settings", "screen", "screen_settings", "shown_records", "srgb_bytes", "toned"],
+        text: r#"@compute @workgroup_size(SHADE_GROUP, SHADE_GROUP)
+fn screen_main(@builtin(global_invocation_id) id: vec3u) {
+    let size = screen_settings.size;
+    let at = vec2u(id.x, pass_settings.first_row + id.y);
+    if (id.y >= pass_settings.rows || at.x >= size.x || at.y >= size.y) {
+        return;
+    }
+    let color = shown_records[id.y * size.x + id.x].color;
+    let tone = screen_settings.tone;
+    var shown = background_at(vec2f(at) + vec2f(0.5, 0.5), f32(size.y));
+    if (frame.background.w > 0.0) {
+        // An environment is light.
+        shown = toned(tone, shown * screen_settings.gain);
+    }
+    if (color.w > 0.0) {
+        let light = toned(tone, color.xyz * (screen_settings.gain / color.w));
+        shown = light * color.w + shown * (1.0 - color.w);
+    }
+    screen[at.y * size.x + at.x] = srgb_bytes(shown);
 }"#,
     },
     Declaration {

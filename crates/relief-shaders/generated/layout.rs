@@ -487,6 +487,35 @@ impl Shared for Gathered {
     }
 }
 
+#[derive(Clone, Copy, Debug, PartialEq)]
+/// Settings of the pass that makes the picture for screens.
+pub struct ScreenSettings {
+    /// Columns and rows of the picture.
+    pub size: rt::Vec2<u32>,
+    /// The factor on light, from the exposure.
+    pub gain: f32,
+    /// The number of the tone curve; 0 is none.
+    pub tone: u32,
+}
+
+impl Shared for ScreenSettings {
+    const SIZE: usize = 16;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.size.write(&mut bytes[0..]);
+        self.gain.write(&mut bytes[8..]);
+        self.tone.write(&mut bytes[12..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            size: Shared::read(&bytes[0..]),
+            gain: Shared::read(&bytes[8..]),
+            tone: Shared::read(&bytes[12..]),
+        }
+    }
+}
+
 impl Shared for PixelIn {
     const SIZE: usize = 352;
 

@@ -77,7 +77,7 @@ const fn traced(number: u32, name: &'static str, kind: BindingKind, holds: &'sta
 
 /// All bindings. Group 0 is the same for every program. Of the other groups a program binds the
 /// variables that it uses.
-pub static BINDINGS: [Binding; 45] = [
+pub static BINDINGS: [Binding; 47] = [
     uniform(0, "surface_settings", "SurfaceSettings", "settings of the surface"),
     filtered(1, "height_map", false, "heights"),
     filtered(2, "color_map", false, "linear colours; a single texel if the settings turn them off"),
@@ -177,6 +177,14 @@ pub static BINDINGS: [Binding; 45] = [
         kind: BindingKind::Uniform("PointSettings"),
         holds: "settings of a method as a function",
     },
+    Binding {
+        group: 1,
+        number: 22,
+        name: "screen_settings",
+        kind: BindingKind::Uniform("ScreenSettings"),
+        holds: "settings of the picture for screens",
+    },
+    storage(1, 23, "screen", "u32", false, "the picture for screens: red, green, blue and 255 of each pixel"),
 ];
 
 impl Binding {

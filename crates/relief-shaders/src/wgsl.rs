@@ -161,6 +161,8 @@ pub enum Root {
     Resolve,
     /// Makes a picture of the shaded colours: `show_main`.
     Show,
+    /// Makes a picture for screens of the shaded colours: `screen_main`.
+    Screen,
     /// Runs the stages over a list of rays and writes every stage's result: `probe_main`.
     Probe,
     /// Runs search and refinement over a list of paths: `paths_main`.
@@ -176,7 +178,7 @@ pub enum Root {
 
 impl Root {
     /// Every root.
-    pub const ALL: [Root; 26] = [
+    pub const ALL: [Root; 27] = [
         Root::Functions,
         Root::TriangleFunctions,
         Root::Trace,
@@ -199,6 +201,7 @@ impl Root {
         Root::Compose,
         Root::Resolve,
         Root::Show,
+        Root::Screen,
         Root::Probe,
         Root::Paths,
         Root::Pyramid,
@@ -232,6 +235,7 @@ impl Root {
             Root::Compose => &["begin_gather_main", "compose_main"],
             Root::Resolve => &["resolve_main"],
             Root::Show => &["show_main"],
+            Root::Screen => &["screen_main"],
             Root::Probe => &["probe_main"],
             Root::Paths => &["paths_main"],
             Root::Pyramid => &["pyramid_vertex", "pyramid_fragment"],

@@ -271,6 +271,11 @@ impl Drawing {
     ) -> Result<(Painted, RenderInfo), NotDrawn> {
         let Self { maps, panes, .. } = self;
         let Some(quantity) = view.quantity else {
+            if asked.is_quick
+                && let Some(drawn) = panes[number].screen(scene, maps, watch).await?
+            {
+                return Ok(drawn);
+            }
             let rows = asked.rows_of(scene.size()[1]);
             return panes[number].picture(scene, rows, maps, watch).await;
         };

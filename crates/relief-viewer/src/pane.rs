@@ -89,6 +89,47 @@ impl Pane {
         self.reader.load(&SceneSpec { max_memory: Some(ByteSize(most)), ..spec.clone() })
     }
 
+    /// Draws the picture of a scene for a screen, if a GPU draws it: each byte is the one of
+    /// [`picture`](Self::picture), or a neighbour.
+    pub async fn screen(
+        &mut self,
+        scene: &Scene,
+        maps: &mut Maps,
+        watch: &Watch<'_>,
+    ) -> Result<Option<(Painted, RenderInfo)>, NotDrawn> {
+        let drawn = match self.takeover.take(scene) {
+            Some(mut taken) => match screen(taken.renderer(), scene, maps, watch).await {
+                Err(RenderError::Cancelled(cancelled)) => {
+                    self.takeover.give_back(taken, scene, None);
+                    return Err(cancelled.into());
+                }
+                Err(error) => {
+                    self.takeover.fail(taken, &error);
+                    self.fallen_back = Some(error.to_string());
+                    None
+                }
+                Ok(drawn) => {
+                    self.takeover.give_back(taken, scene, drawn.as_ref().map(|(_, info)| info));
+                    self.fallen_back = None;
+                    drawn
+                }
+            },
+            None if backend_of(scene) == BackendChoice::Cpu => None,
+            None => {
+                let made = Made::of(&mut self.renderer, scene, self.lanes).await?;
+                made.scene = scene.clone();
+                let drawn = screen(&mut made.renderer, scene, maps, watch).await;
+                // A device that was lost stays lost.
+                if drawn.as_ref().is_err_and(|error| !matches!(error, RenderError::Cancelled(_))) {
+                    self.renderer = None;
+                }
+                drawn?
+            }
+        };
+        let rows = 0..scene.size()[1];
+        Ok(drawn.map(|(bytes, info)| (Painted::Picture(bytes, rows), info)))
+    }
+
     /// Draws some rows of the picture of a scene; on a GPU, all.
     pub async fn picture(
         &mut self,
@@ -249,6 +290,22 @@ impl Pane {
     /// cannot.
     pub fn warming(&self, scene: &Scene, maps: &Maps) -> Option<Warming> {
         self.draws_on_cpu(scene).then(|| self.takeover.warming(scene, maps)).flatten()
+    }
+}
+
+/// Renders a scene for a screen; nothing on the CPU.
+async fn screen(
+    renderer: &mut Renderer,
+    scene: &Scene,
+    maps: &mut Maps,
+    watch: &Watch<'_>,
+) -> Result<Option<(Vec<u8>, RenderInfo)>, RenderError> {
+    #[cfg(feature = "gpu")]
+    return renderer.screen_async(scene, maps, watch).await;
+    #[cfg(not(feature = "gpu"))]
+    {
+        let _ = (renderer, scene, maps, watch);
+        Ok(None)
     }
 }
 

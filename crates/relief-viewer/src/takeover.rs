@@ -207,7 +207,7 @@ fn after(error: &RenderError, programs: Programs, losses: u32) -> Beside {
     }
 }
 
-/// Compiles the programs of a scene, and times its frames. Returns the least seconds for a sample.
+/// Compiles the programs of a scene, and times its frames for a screen. Returns the least seconds for a sample.
 async fn timed(mut made: Made, scene: &Scene, maps: &mut Maps) -> Result<(Made, f64), RenderError> {
     let quiet = Watch::none();
     let sized = |[width, height]: [u32; 2], samples| {
@@ -217,8 +217,9 @@ async fn timed(mut made: Made, scene: &Scene, maps: &mut Maps) -> Result<(Made, 
     made.renderer.render_bands_async(&small, maps, false, &quiet, &mut |_| Ok(())).await?;
     let mut least = f64::INFINITY;
     for _ in 0..FRAMES {
-        let info = made.renderer.render_bands_async(&whole, maps, false, &quiet, &mut |_| Ok(())).await?;
-        least = least.min(per_sample(&whole, &info));
+        if let Some((_, info)) = made.renderer.screen_async(&whole, maps, &quiet).await? {
+            least = least.min(per_sample(&whole, &info));
+        }
     }
     Ok((made, least))
 }

@@ -50,6 +50,7 @@ pub(super) fn label(root: Root) -> &'static str {
         Root::Compose => "compose",
         Root::Resolve => "resolve",
         Root::Show => "show",
+        Root::Screen => "screen",
         Root::Probe => "probe",
         Root::Paths => "paths",
         Root::Pyramid => "pyramid",

@@ -36,6 +36,8 @@ pub struct Layouts {
     pub composed: BindGroupLayout,
     /// Group 1 of the pass that shows.
     pub shown: BindGroupLayout,
+    /// Group 1 of the pass that makes pictures for screens.
+    pub screen: BindGroupLayout,
     rays: BindGroupLayout,
     paths: BindGroupLayout,
     /// Group 1 of the passes that build pyramids: their input.
@@ -56,6 +58,7 @@ impl Layouts {
             gathered: of("gathered", &["traced_what", "gathered", "shell_nodes"]),
             composed: of("composed", &["traced_what", "records", "gathered"]),
             shown: of("shown", &["shown_records", "picture"]),
+            screen: of("screen", &["shown_records", "screen_settings", "screen"]),
             rays: of("rays", &List::Rays.names()),
             paths: of("paths", &List::Paths.names()),
             pyramid: of("pyramid", &["finer_level", "heights_below", "pyramid_pass"]),
@@ -134,6 +137,7 @@ pub struct Programs {
     resolve: ProgramCache<(), ComputePipeline>,
     compose: ProgramCache<(), Composer>,
     show: ProgramCache<(), ComputePipeline>,
+    screen: ProgramCache<(), ComputePipeline>,
     pyramid: ProgramCache<(), RenderPipeline>,
     tessellate: ProgramCache<Sampling, Tessellator>,
     compiled: u32,
@@ -161,6 +165,7 @@ impl Programs {
             resolve: ProgramCache::new(),
             compose: ProgramCache::new(),
             show: ProgramCache::new(),
+            screen: ProgramCache::new(),
             pyramid: ProgramCache::new(),
             tessellate: ProgramCache::new(),
             compiled: 0,
@@ -287,6 +292,14 @@ impl Programs {
         let text = || assemble(&Selection::default(), Root::Show, sampling);
         let compile = |text: &str| compute(gpu.device(), text, Root::Show, &groups.each_ref());
         self.show.get(gpu, &mut self.compiled, (), text, compile).await
+    }
+
+    /// Returns the program that converts records to a picture for screens.
+    pub async fn screen(&mut self, gpu: &Gpu, sampling: Sampling) -> Result<ComputePipeline, GpuError> {
+        let groups = [self.layouts.maps(sampling), &self.layouts.screen].map(Clone::clone);
+        let text = || assemble(&Selection::default(), Root::Screen, sampling);
+        let compile = |text: &str| compute(gpu.device(), text, Root::Screen, &groups.each_ref());
+        self.screen.get(gpu, &mut self.compiled, (), text, compile).await
     }
 
     /// Returns the builder of the surfaces' pyramids. `None` if no pyramid is missing, or if the

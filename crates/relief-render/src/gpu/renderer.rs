@@ -10,8 +10,9 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 use relief_core::{Cancelled, Watch};
+use relief_scene::tone::Tone;
 use relief_shaders::MapNeed;
-use relief_shaders::cpu::{PixelOut, Record, Shared};
+use relief_shaders::cpu::{PixelOut, Record, ScreenSettings, Shared, write_all};
 use relief_shaders::wgsl::Sampling;
 use wgpu::Texture;
 
@@ -26,6 +27,9 @@ use crate::block_on;
 use crate::cpu::tessellated::TessellatedCache;
 use crate::job::{Job, Rendering};
 use crate::samples::samples;
+
+/// Bytes of a pixel of a picture for screens.
+const SCREEN_BYTES: u64 = 4;
 
 /// Renders jobs on a GPU and caches there what they share. A second frame of the same surfaces
 /// uploads a camera and compiles nothing.
@@ -201,6 +205,60 @@ impl GpuRenderer {
         self.work = self.work_since(before);
         let targets = self.targets.as_mut().ok_or(GpuError::EmptyPicture)?;
         Ok(&targets.shown(&self.gpu, &self.programs.layouts).0)
+    }
+
+    /// Renders a job into a picture for screens: red, green, blue and 255 of each pixel in sRGB, row
+    /// by row from the top, after a factor on the light and a tone curve. A pixel takes 4 bytes of
+    /// transfer in place of a whole record. Each byte is the one of the picture by
+    /// [`Self::render_async`], or a neighbour.
+    ///
+    /// # Errors
+    ///
+    /// See [`Self::render`]. Also when no surface is shown, or the picture is larger than a buffer of
+    /// the adapter.
+    pub async fn screen_async(
+        &mut self,
+        job: &Job,
+        sampling: Sampling,
+        gain: f32,
+        tone: Tone,
+    ) -> Result<Vec<u8>, GpuError> {
+        let (width, height) = (job.width, job.height);
+        if width == 0 || height == 0 {
+            return Ok(Vec::new());
+        }
+        if u64::from(width) * u64::from(height) > self.gpu.storage_capacity(SCREEN_BYTES as usize) {
+            let limit = (self.gpu.storage_capacity(SCREEN_BYTES as usize) / u64::from(width)) as u32;
+            return Err(GpuError::TooLarge { what: "picture", width, height, limit });
+        }
+        let before = self.work_so_far();
+        let ready = self.prepare(job, sampling, samples(job.samples, false), None).await?;
+        let program = self.programs.screen(&self.gpu, sampling).await?;
+        let maps = ready.first_groups().ok_or(GpuError::EmptyPicture)?[0].clone();
+        let (gpu, layouts) = (self.gpu.clone(), self.programs.layouts.clone());
+        let targets = self.targets.as_mut().ok_or(GpuError::EmptyPicture)?;
+        let tone = Tone::ALL.iter().position(|known| *known == tone).unwrap_or_default() as u32;
+        let settings = ScreenSettings { size: [width, height].into(), gain, tone };
+        let bytes = SCREEN_BYTES * u64::from(width) * u64::from(height);
+        let screen = targets.screen(&gpu, &layouts).clone();
+        gpu.guarded(|| {
+            gpu.write(&screen.settings, 0, &write_all(&[settings]));
+            for passes in &targets.bands {
+                submit_band(&gpu, targets, &ready, passes, None, |encoder, last| {
+                    dispatch(encoder, &program, &[&maps, &screen.group], width, last, None);
+                });
+            }
+            let mut encoder = gpu.device().create_command_encoder(&Default::default());
+            encoder.copy_buffer_to_buffer(&screen.picture, 0, &screen.readable, 0, bytes);
+            gpu.queue().submit([encoder.finish()]);
+            Ok(())
+        })
+        .await?;
+        let mut picture = Vec::new();
+        picture.try_reserve_exact(bytes as usize).map_err(|_| GpuError::OutOfMemory)?;
+        gpu.read(&screen.readable, bytes, |bytes| picture.extend_from_slice(bytes)).await?;
+        self.work = self.work_since(before);
+        Ok(picture)
     }
 
     fn work_so_far(&self) -> Work {

@@ -1,6 +1,6 @@
 //! Targets of a picture's passes: textures and buffers for a band of its rows.
 
-use relief_shaders::cpu::{Gathered, PassSettings, Record, Shared, write_all};
+use relief_shaders::cpu::{Gathered, PassSettings, Record, ScreenSettings, Shared, write_all};
 use wgpu::{
     BindGroup, BindingResource, Buffer, BufferBinding, BufferSize, BufferUsages, Extent3d, Texture,
     TextureDescriptor, TextureDimension, TextureFormat, TextureUsages, TextureView, TextureViewDescriptor,
@@ -59,6 +59,21 @@ pub struct Targets {
     /// Picture that stays on the GPU, with group 1 of the pass that shows it. Created when first
     /// needed.
     shown: Option<(Texture, BindGroup)>,
+    /// The picture for screens. It is allocated when it is first needed.
+    screen: Option<Screen>,
+}
+
+/// What the pass that makes the picture for screens binds.
+#[derive(Clone, Debug)]
+pub struct Screen {
+    /// The settings.
+    pub settings: Buffer,
+    /// The picture: red, green, blue and 255 of each pixel.
+    pub picture: Buffer,
+    /// The buffer from which it is read back.
+    pub readable: Buffer,
+    /// Group 1 of the pass.
+    pub group: BindGroup,
 }
 
 /// What passes over translucent surfaces bind.
@@ -141,7 +156,7 @@ impl Targets {
         });
         let passes = passes(gpu, [width, height], rows, &samples, &bands, stride);
         let size = [width, height];
-        let (readable, shown) = (None, None);
+        let (readable, shown, screen) = (None, None, None);
         let whole = (count - 1) as u32 * stride;
         Ok(Self {
             size,
@@ -160,6 +175,7 @@ impl Targets {
             readable,
             whole,
             shown,
+            screen,
         })
     }
 
@@ -196,6 +212,26 @@ impl Targets {
         let bytes = self.records.size();
         let usage = BufferUsages::MAP_READ | BufferUsages::COPY_DST;
         self.readable.get_or_insert_with(|| gpu.buffer("records to read", bytes, usage))
+    }
+
+    /// Returns the picture for screens.
+    pub fn screen(&mut self, gpu: &Gpu, layouts: &Layouts) -> &Screen {
+        let ([width, height], records) = (self.size, &self.records);
+        self.screen.get_or_insert_with(|| {
+            let bytes = 4 * u64::from(width) * u64::from(height);
+            let picture = gpu.buffer("screen", bytes, BufferUsages::STORAGE | BufferUsages::COPY_SRC);
+            let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
+            let settings = gpu.buffer("screen settings", ScreenSettings::SIZE as u64, usage);
+            let usage = BufferUsages::MAP_READ | BufferUsages::COPY_DST;
+            let readable = gpu.buffer("screen to read", bytes, usage);
+            let bound = [
+                ("shown_records", records.as_entire_binding()),
+                ("screen_settings", settings.as_entire_binding()),
+                ("screen", picture.as_entire_binding()),
+            ];
+            let group = group(gpu.device(), "screen", &layouts.screen, &bound);
+            Screen { settings, picture, readable, group }
+        })
     }
 
     /// Returns the picture that stays on the GPU, and group 1 of the pass that shows it.

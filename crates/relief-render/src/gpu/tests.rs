@@ -25,6 +25,7 @@ use relief_scene::depth_buffer::DepthBuffer;
 use relief_scene::{BackendChoice, Scene, Surface};
 
 mod prepass;
+mod screen;
 mod shells;
 mod tessellate;
 

@@ -41,7 +41,8 @@ pub use lanes::{
     BLOCK, EnteredBlock, HitBlock, LightPoint, PathBlock, PixelOutBlock, Row, TriangleRays, places,
 };
 pub use layout::{
-    BaseEdge, BasePatch, Face, PassSettings, Probe, PyramidPass, Record, ShellNode, Tally, TessellationTotals,
+    BaseEdge, BasePatch, Face, PassSettings, Probe, PyramidPass, Record, ScreenSettings, ShellNode, Tally,
+    TessellationTotals,
 };
 pub use method_tracer::MethodTracer;
 /// A vector of the shaders.

@@ -43,6 +43,19 @@ fn drawn(pane: &mut Pane, scene: &Scene) -> (Vec<u8>, &'static str) {
     }
 }
 
+/// Draws a picture for a screen, if a GPU draws.
+fn on_screen(pane: &mut Pane, scene: &Scene) -> Option<Vec<u8>> {
+    let screen = block_on(pane.screen(scene, &mut Maps::in_memory(), &Watch::none())).expect("a picture");
+    match screen {
+        Some((Painted::Picture(bytes, rows), info)) => {
+            assert_eq!((rows, info.backend), (0..30, "gpu"));
+            Some(bytes)
+        }
+        Some((Painted::Quantity(..), _)) => panic!("it is a picture"),
+        None => None,
+    }
+}
+
 /// Does what is to be done in the background, and returns whether anything was.
 fn warmed(pane: &Pane, scene: &Scene) -> bool {
     let warming = pane.warming(scene, &Maps::in_memory());
@@ -65,12 +78,15 @@ fn the_faster_one_draws() {
     let (mut pane, scene) = (Pane::new(&Device::of(gpu)), scene("relief"));
     let (on_cpu, backend) = drawn(&mut pane, &scene);
     assert_eq!(backend, "cpu");
+    assert_eq!(on_screen(&mut pane, &scene), None);
     assert!(warmed(&pane, &scene) && !warmed(&pane, &scene));
     slow_down(&mut pane, &scene);
     let (on_gpu, backend) = drawn(&mut pane, &scene);
     assert_eq!(backend, "gpu");
     let most = on_cpu.iter().zip(&on_gpu).map(|(one, other)| one.abs_diff(*other)).max();
     assert!(on_cpu.len() == on_gpu.len() && most <= Some(2), "{most:?}");
+    let quick = on_screen(&mut pane, &scene).expect("the GPU draws");
+    assert!(quick.iter().zip(&on_gpu).all(|(quick, whole)| quick.abs_diff(*whole) <= 1));
     // Another method's programs are not there yet.
     let other = self::scene("cone");
     assert_eq!(drawn(&mut pane, &other).1, "cpu");
@@ -96,6 +112,7 @@ fn a_gpu_that_is_lost_gives_back() {
     slow_down(&mut pane, &scene);
     assert_eq!(drawn(&mut pane, &scene).1, "gpu");
     gpu.device().destroy();
+    assert_eq!(on_screen(&mut pane, &scene), None);
     assert_eq!(drawn(&mut pane, &scene), on_cpu);
     assert!(pane.fallen_back.as_ref().is_some_and(|why| why.contains("lost")), "{:?}", pane.fallen_back);
     assert_eq!(drawn(&mut pane, &scene), on_cpu);

@@ -7,7 +7,7 @@ pub fn module() -> String {
     let mut text = String::from(
         "import package::shared::records::{Face, Probe, Record, ShellNode};\n\
          import package::shared::settings::{Frame, PassSettings, PointSettings, PyramidPass};\n\
-         import package::shared::settings::SurfaceSettings;\n\
+         import package::shared::settings::{ScreenSettings, SurfaceSettings};\n\
          import package::shared::types::{Corner, Hit, Path, PixelIn};\n\n",
     );
     for binding in &BINDINGS {

@@ -32,7 +32,7 @@ const FUNCTION_ROOTS: [(&str, &[&str]); 2] = [
 ];
 
 /// Roots of the programs that GPUs run. Their declarations are checked against the linker's result.
-const GPU_ROOTS: [&str; 13] = [
+const GPU_ROOTS: [&str; 14] = [
     "roots/trace",
     "roots/trace_shells",
     "roots/stencil",
@@ -42,6 +42,7 @@ const GPU_ROOTS: [&str; 13] = [
     "roots/compose",
     "roots/resolve",
     "roots/show",
+    "roots/screen",
     "roots/probe",
     "roots/paths",
     "roots/pyramid",
